@@ -1,0 +1,21 @@
+# One set of flags for every target: Eigen's alignment and the vector width depend on them, so mixing
+# them between translation units would break the binary interface.
+add_library(interlock_options INTERFACE)
+target_compile_features(interlock_options INTERFACE cxx_std_17)
+target_compile_options(interlock_options INTERFACE
+  -Wall -Wextra
+  # Square roots and selects stay scalar otherwise; nothing here reads errno or the trap flags.
+  -fno-math-errno -fno-trapping-math
+  $<$<CONFIG:Release>:-O3> $<$<CONFIG:Debug>:-O1> -g1)
+if(INTERLOCK_NATIVE)
+  target_compile_options(interlock_options INTERFACE -march=native)
+endif()
+if(INTERLOCK_WARNINGS_AS_ERRORS)
+  target_compile_options(interlock_options INTERFACE -Werror)
+endif()
+if(INTERLOCK_SANITIZE)
+  target_compile_options(interlock_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(interlock_options INTERFACE -fsanitize=address,undefined)
+endif()
+target_include_directories(interlock_options INTERFACE ${PROJECT_SOURCE_DIR})
