@@ -1,5 +1,5 @@
-// A triangle surface mesh and its diagnosis: reading scans, writing stones, checking that the surface is
-// closed and outward.
+// A triangle surface mesh and its diagnosis: reading scans, writing stones, checking that the
+// surface is closed and outward.
 #pragma once
 
 #include "dem/vector.h"
@@ -12,21 +12,44 @@ namespace interlock::dem
 {
 // Vertices [m], any frame; triangles are counter-clockwise seen from outside.
 struct TriangleMesh {
-  std::vector<Vector3> vertices;            // [m]
+  std::vector<Vector3> vertices;             // [m]
   std::vector<std::array<int, 3>> triangles; // indices into vertices
 };
 
-// Reads an STL, PLY or OBJ file through Assimp, merges coincident vertices and drops degenerate
-// facets. `length_unit` is the length of one file unit in metres (0.001 for millimetres).
-// Throws InputError with one sentence naming the file when it is missing, unreadable, not a mesh, has
-// no facet, a NaN coordinate, is open (how many edges), or its size does not look like a stone (unit).
-// An inside-out surface is an error too.
+// Reads an STL, PLY or OBJ file through Assimp (single precision), merges coincident vertices,
+// drops degenerate facets and the vertices that no facet uses. `length_unit` is the length of one
+// file unit in metres (0.001 for millimetres). Throws InputError with one sentence naming the file
+// when it is missing, unreadable, not a mesh, has no facet, a NaN coordinate, is open (how many
+// edges), or its largest extent is not between smallest_stone and largest_stone (unit). An
+// inside-out surface is an error too.
 TriangleMesh read_stone_mesh(const std::string& path, double length_unit);
+constexpr double smallest_stone = 0.002; // [m]
+constexpr double largest_stone = 1.0;    // [m]
 
-// Writes a binary STL, first under a temporary name, then renamed.
+// Writes a binary STL (in metres, single precision), first under a temporary name, then renamed.
+// Throws InputError when the file cannot be written.
 void write_stl(const std::string& path, const TriangleMesh& mesh);
+
+// Edges by what is wrong with them. A closed, consistently oriented surface has none.
+struct EdgeDiagnosis {
+  int open = 0;      // one facet only: the rim of a hole
+  int flipped = 0;   // two facets that disagree about which side is outside
+  int branching = 0; // more than two facets
+};
+EdgeDiagnosis diagnose_edges(const TriangleMesh& mesh);
 
 // Number of edges that do not have exactly two facets with opposite directions; 0 for a closed,
 // consistently oriented surface.
 int count_open_edges(const TriangleMesh& mesh);
+
+// Side lengths of the axis-parallel box around the vertices [m]; zero for a mesh without vertices.
+Vector3 extents(const TriangleMesh& mesh);
+
+// Area of the surface [m2].
+double surface_area(const TriangleMesh& mesh);
+
+// Unit outward normal of each vertex: the mean of its facets' normals weighted by the angle at the
+// vertex, so that it does not depend on how the faces are cut into triangles. Source: Thuermer and
+// Wuethrich, J. Graphics Tools 3(1) (1998). Zero where the facets cancel or the vertex has none.
+std::vector<Vector3> node_normals(const TriangleMesh& mesh);
 } // namespace interlock::dem
