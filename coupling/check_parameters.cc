@@ -1,0 +1,130 @@
+#include "coupling/check_parameters.h"
+
+#include <boost/algorithm/string.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace interlock::coupling
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+// Room for decimal lengths such as 3 x 0.065 + 0.005 that have no exact binary form [m].
+constexpr double length_tolerance = 1e-9;
+
+class Problems
+{
+public:
+  // Joins the parts, numbers and words, into one sentence.
+  template <typename... Parts> void add(const std::string& entry, const Parts&... parts)
+  {
+    std::ostringstream sentence;
+    (sentence << ... << parts);
+    list_.push_back({entry, sentence.str()});
+  }
+
+  std::vector<ParameterProblem> take() { return std::move(list_); }
+
+private:
+  std::vector<ParameterProblem> list_;
+};
+
+bool is_scan(const fs::directory_entry& entry)
+{
+  const std::string ending = boost::algorithm::to_lower_copy(entry.path().extension().string());
+  return ending == ".stl" || ending == ".ply" || ending == ".obj";
+}
+
+void check_stones(const StoneParameters& stones, Problems& problems)
+{
+  if (stones.folder.empty()) return;
+  std::error_code error;
+  const fs::directory_iterator files(stones.folder, error);
+  if (error)
+    problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
+                 "\" cannot be read: ", error.message(), ".");
+  else if (std::none_of(begin(files), end(files), is_scan))
+    problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
+                 "\" holds no file that ends with .stl, .ply or .obj.");
+  if (stones.length_unit <= 0)
+    problems.add("Stones/Length unit", "The length of one unit of the scans must be given with a "
+                                       "folder of scans, for example 0.001 m for millimetres.");
+}
+
+void check_box(const BoxParameters& box, const GeogridParameters& geogrid, Problems& problems)
+{
+  if (box.slot_height >= 0.5 * box.height)
+    problems.add("Box/Slot height", "The slot is ", box.slot_height,
+                 " m high, but must be lower than half the box, ", 0.5 * box.height, " m.");
+  if (box.slot_height <= geogrid.rib_thickness)
+    problems.add("Box/Slot height", "The slot is ", box.slot_height,
+                 " m high, but must be higher than the ribs, ", geogrid.rib_thickness,
+                 " m, to let them out.");
+}
+
+void check_lattice(const GeogridParameters& geogrid, const BoxParameters& box, Problems& problems)
+{
+  const double width = geogrid.apertures_across * geogrid.pitch_across + geogrid.rib_width;
+  if (width > box.width + length_tolerance)
+    problems.add("Geogrid/Apertures across", "The geogrid is ", width, " m wide (",
+                 geogrid.apertures_across, " x ", geogrid.pitch_across, " m and one rib of ",
+                 geogrid.rib_width, " m), but the box is only ", box.width, " m wide.");
+  const double length = geogrid.apertures_along * geogrid.pitch_along + geogrid.rib_width;
+  if (length > box.length + length_tolerance)
+    problems.add("Geogrid/Apertures along", "The geogrid is ", length, " m long (",
+                 geogrid.apertures_along, " x ", geogrid.pitch_along, " m and one rib of ",
+                 geogrid.rib_width, " m), but the box is only ", box.length, " m long.");
+}
+
+void check_ribs(const GeogridParameters& geogrid, Problems& problems)
+{
+  const double pitch = std::min(geogrid.pitch_along, geogrid.pitch_across);
+  if (geogrid.rib_width >= pitch)
+    problems.add("Geogrid/Rib width", "The ribs are ", geogrid.rib_width,
+                 " m wide, but must be narrower than their smallest distance, ", pitch, " m.");
+  const double half = 0.5 * std::min(geogrid.rib_thickness, geogrid.rib_width);
+  if (geogrid.edge_rounding > half + length_tolerance)
+    problems.add(
+        "Geogrid/Edge rounding", "The edges of the ribs are rounded with ", geogrid.edge_rounding,
+        " m, but half the thickness and half the width of a rib allow at most ", half, " m.");
+}
+
+void check_surcharge(const SurchargeParameters& surcharge, const BoxParameters& box,
+                     Problems& problems)
+{
+  if (surcharge.force <= 0) return;
+  const double largest = 0.5 * std::min(box.length, box.width);
+  if (surcharge.sphere_radius <= 0 || surcharge.sphere_radius > largest)
+    problems.add("Surcharge/Sphere radius", "The spheres of the surcharge have a radius of ",
+                 surcharge.sphere_radius, " m, but it must be greater than 0 and at most ", largest,
+                 " m to fit into the box.");
+}
+
+void check_pull(const PullParameters& pull, const GeogridParameters& geogrid, Problems& problems)
+{
+  const double length = geogrid.apertures_along * geogrid.pitch_along;
+  if (pull.distance > length + length_tolerance)
+    problems.add("Pull/Distance", "The geogrid is pulled over ", pull.distance, " m, but only ",
+                 length, " m of it lie in the box.");
+  const double ramp = 0.5 * pull.speed * pull.ramp_time;
+  if (ramp > pull.distance)
+    problems.add("Pull/Ramp time", "The pull needs ", ramp, " m to reach full speed in ",
+                 pull.ramp_time, " s, but is only ", pull.distance, " m long.");
+}
+} // namespace
+
+std::vector<ParameterProblem> check_parameters(const PullOutParameters& parameters)
+{
+  Problems problems;
+  check_stones(parameters.stones, problems);
+  check_box(parameters.box, parameters.geogrid, problems);
+  check_lattice(parameters.geogrid, parameters.box, problems);
+  check_ribs(parameters.geogrid, problems);
+  check_surcharge(parameters.surcharge, parameters.box, problems);
+  check_pull(parameters.pull, parameters.geogrid, problems);
+  return problems.take();
+}
+} // namespace interlock::coupling

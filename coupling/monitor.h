@@ -1,0 +1,23 @@
+// How a run tells the outside what it is doing. The library itself never prints.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace interlock::coupling
+{
+struct Progress {
+  std::string stage;         // "pull"
+  double fraction = 0;       // of the stage that is done, 0 to 1; negative where nobody can tell
+  double simulated_time = 0; // since the start of the run [s]
+  std::int64_t steps = 0;    // since the start of the run
+};
+
+// Both may be empty. They are called from one thread, `progress` as often as the run likes (the
+// receiver throttles), `message` once for each finished sentence: a stage that ended, a warning.
+struct Monitor {
+  std::function<void(const Progress&)> progress;
+  std::function<void(const std::string&)> message;
+};
+} // namespace interlock::coupling

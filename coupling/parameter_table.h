@@ -1,0 +1,85 @@
+// Named, documented, range-checked parameters: each entry of a parameter file is bound once to the
+// member that it fills. dealii::ParameterHandler holds the values and checks their patterns; the
+// table adds what a full sentence about a wrong value needs: the unit, the allowed values in words,
+// and whether the entry must be given.
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace interlock::coupling
+{
+struct ParameterEntry {
+  std::string section;   // empty at the top level
+  std::string name;      // words with spaces
+  std::string sentence;  // what it is, without the unit
+  std::string unit;      // "Pa"; "-" for a pure number; empty where the value is a word
+  std::string allowed;   // in words: "a number greater than 0"
+  bool required = false; // has no default
+  bool is_path = false;  // of a file or folder
+
+  std::string key() const; // "Section/Name", as `--set` writes it
+};
+
+// Numbers that an entry may take.
+struct Range {
+  double lower = 0;
+  double upper = 0;
+  bool lower_included = true;
+};
+extern const Range positive;     // greater than 0
+extern const Range not_negative; // 0 or more
+
+class ParameterTable
+{
+public:
+  // The following entries belong to this section.
+  void open_section(const std::string& name);
+
+  // Bind one entry to a member, which must live as long as the table and stay where it is. `text`
+  // is a sentence that ends with the unit in brackets, "Young's modulus of the ribs. [Pa]". An
+  // entry of `require` must be set; one of `offer` starts as `start`.
+  void require(const std::string& name, double& member, const Range& range,
+               const std::string& text);
+  void require(const std::string& name, int& member, const Range& range, const std::string& text);
+  void require(const std::string& name, bool& member, const std::string& text);
+  void require_choice(const std::string& name, std::string& member,
+                      const std::vector<std::string>& choices, const std::string& text);
+  void offer(const std::string& name, double& member, double start, const Range& range,
+             const std::string& text);
+  void offer(const std::string& name, int& member, int start, const Range& range,
+             const std::string& text);
+  void offer(const std::string& name, bool& member, bool start, const std::string& text);
+  void offer_seed(const std::string& name, std::uint64_t& member, const std::string& text);
+  void offer_choice(const std::string& name, std::string& member, const std::string& start,
+                    const std::vector<std::string>& choices, const std::string& text);
+  void offer_folder(const std::string& name, std::string& member, const std::string& text);
+
+  // In the order in which they were declared.
+  const std::vector<ParameterEntry>& entries() const { return entries_; }
+
+  // Fills the member with `value`. False, and nothing has changed, when the value is not allowed.
+  bool set(const ParameterEntry& entry, const std::string& value);
+
+  // The value as text, as it was set.
+  std::string get(const ParameterEntry& entry) const;
+
+private:
+  template <typename T>
+  void bind(const std::string& name, T& member, const T& start,
+            const dealii::Patterns::PatternBase& pattern, const std::string& allowed,
+            const std::string& text, bool required);
+
+  mutable dealii::ParameterHandler handler_; // mutable: its subsections are entered to read
+  std::string section_;
+  std::vector<ParameterEntry> entries_;
+};
+
+// A complete parameter file with every entry, its sentence as a comment above it, and its present
+// value.
+void write_parameters(std::ostream& out, const ParameterTable& table);
+} // namespace interlock::coupling
