@@ -1,0 +1,92 @@
+// The linear contact law with Coulomb friction: a pure function of one contact.
+//
+// Normal: spring and dashpot, no tension (the contact ends at zero force). Tangential: spring with
+// history and dashpot, limited by the Coulomb cone; the spring turns with the contact. Springs of
+// two bodies act in series (Ferrellec and McDowell 2010, Table 6, read with the usual k = k1 k2 /
+// (k1 + k2)).
+#pragma once
+
+#include "dem/vector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlock::dem
+{
+// Of one pair of materials.
+struct ContactProperties {
+  double normal_stiffness = 0;     // of the pair [N/m]
+  double tangential_stiffness = 0; // [N/m]
+  double friction = 0;             // Coulomb coefficient [-]
+  double damping_ratio = 0;        // c / (2 sqrt(k m)), normal and tangential [-]
+};
+
+// Springs in series [N/m].
+inline double series_stiffness(double k1, double k2)
+{
+  return k1 * k2 / (k1 + k2);
+}
+
+// Running sums over contacts and steps. `elastic` is the energy stored now; the others are
+// dissipated since the beginning. [J]
+struct ContactEnergy {
+  double elastic = 0;
+  double friction = 0;
+  double damping = 0;
+};
+
+// Turns the tangential spring with the contact: out of its old plane into the plane normal to
+// `normal`, keeping its length, and about the normal by `twist` (mean spin of the two bodies along
+// the normal times the step) [rad].
+inline void rotate_spring(Vector3& spring, const Vector3& normal, double twist)
+{
+  const double old_length_squared = spring.squaredNorm();
+  if (old_length_squared == 0) return;
+  spring -= normal.dot(spring) * normal;
+  spring += twist * normal.cross(spring);
+  const double length_squared = spring.squaredNorm();
+  if (length_squared > 0) spring *= std::sqrt(old_length_squared / length_squared);
+}
+
+// Force on body 1, world frame [N]. `normal` points from body 2 to body 1; `relative_velocity` is
+// that of body 1 against body 2 at the contact point [m/s]; `overlap` > 0 [m]; `reduced_mass`
+// scales the dashpots [kg]. `spring` is the tangential displacement of body 1 against body 2 since
+// the contact formed, less what slipped [m]; it must have been turned by rotate_spring() and is
+// updated over `time_step` [s].
+//
+// Energy: the dashpot dissipates (k overlap - f_n) v_n dt, friction dissipates force times slip,
+// taken with the spring force after the return to the cone.
+inline Vector3 linear_contact_force(const ContactProperties& pair, double reduced_mass,
+                                    double overlap, const Vector3& normal,
+                                    const Vector3& relative_velocity, double time_step,
+                                    Vector3& spring, ContactEnergy& energy)
+{
+  const double k_n = pair.normal_stiffness, k_t = pair.tangential_stiffness;
+  const double c_n = 2 * pair.damping_ratio * std::sqrt(k_n * reduced_mass);
+  const double c_t = 2 * pair.damping_ratio * std::sqrt(k_t * reduced_mass);
+
+  const double v_n = relative_velocity.dot(normal);
+  const double elastic_n = k_n * overlap;
+  const double f_n = std::max(0., elastic_n - c_n * v_n);
+
+  const Vector3 v_t = relative_velocity - v_n * normal;
+  const Vector3 trial = spring + time_step * v_t;
+  const Vector3 dashpot = c_t * v_t;
+  Vector3 f_t = -k_t * trial - dashpot;
+  spring = trial;
+  const double limit = pair.friction * f_n, f_t_squared = f_t.squaredNorm();
+  if (f_t_squared > limit * limit) {
+    f_t *= limit / std::sqrt(f_t_squared);
+    // Without friction there is no spring to speak of; otherwise the one that gives the force on
+    // the cone.
+    spring = (k_t > 0 && pair.friction > 0) ? Vector3(-(f_t + dashpot) / k_t) : Vector3::Zero();
+    const Vector3 slip = trial - spring;
+    if (pair.friction > 0) energy.friction += k_t * spring.dot(slip) + time_step * dashpot.dot(v_t);
+  } else
+    energy.damping += time_step * dashpot.dot(v_t);
+
+  energy.damping += (elastic_n - f_n) * v_n * time_step;
+  energy.elastic += 0.5 * elastic_n * overlap + 0.5 * k_t * spring.squaredNorm();
+  return f_n * normal + f_t;
+}
+} // namespace interlock::dem

@@ -1,0 +1,294 @@
+#include "dem/engine.h"
+
+namespace interlock::dem
+{
+namespace
+{
+struct Overlap {
+  double depth;   // > 0 when touching [m]
+  Vector3 normal; // from the second body to the first
+  Vector3 point;  // mid-overlap, world [m]
+};
+
+Overlap sphere_overlap(const Vector3& xa, double ra, const Vector3& xb, double rb)
+{
+  const Vector3 d = xa - xb;
+  const double distance = d.norm();
+  const double depth = ra + rb - distance;
+  const Vector3 normal = d / distance;
+  return {depth, normal, xb + (rb - 0.5 * depth) * normal};
+}
+
+Overlap wall_overlap(const Vector3& x, double r, const Wall& wall)
+{
+  const Vector3 nearest = wall.nearest_point(x);
+  const Vector3 d = x - nearest;
+  const double distance = d.norm();
+  const double depth = r - distance;
+  return {depth, d / distance, nearest - 0.5 * depth * d / distance};
+}
+
+// An open contact holds no history; the little that its spring still stored is friction.
+template <class Contact>
+void open_contact(Contact& contact, double tangential_stiffness, ContactEnergy& energy)
+{
+  energy.friction += 0.5 * tangential_stiffness * contact.spring.squaredNorm();
+  contact.spring.setZero();
+  contact.force.setZero();
+}
+} // namespace
+
+Engine::Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on_stone,
+               double gravity)
+    : clumps_(std::move(shapes)), stone_on_stone_(stone_on_stone), gravity_(gravity),
+      gravity_vector_(0, 0, gravity)
+{
+}
+
+int Engine::add_clump(int shape, double density, const Vector3& position,
+                      const Quaternion& orientation, const Vector3& velocity)
+{
+  const int i = clumps_.add(shape, density, position, orientation);
+  clumps_.velocity[i] = velocity;
+  inserted_ += body_energy(i);
+  lists_.invalidate();
+  return i;
+}
+
+std::vector<int> Engine::remove_clumps(const std::vector<bool>& remove)
+{
+  for (int i = 0; i < clumps_.size(); ++i)
+    if (remove[i]) inserted_ -= body_energy(i);
+  for (const SphereContact& c : lists_.sphere_contacts())
+    if (remove[c.i] || remove[c.j]) inserted_ -= contact_elastic_energy(c);
+  for (const WallContact& c : lists_.wall_contacts())
+    if (remove[c.i]) inserted_ -= contact_elastic_energy(c);
+  const std::vector<int> new_index = clumps_.remove(remove);
+  lists_.renumber_clumps(new_index);
+  return new_index;
+}
+
+int Engine::add_wall(const Wall& wall)
+{
+  walls_.push_back(wall);
+  lists_.invalidate();
+  return static_cast<int>(walls_.size()) - 1;
+}
+
+void Engine::replace_walls(int first, const std::vector<Wall>& walls)
+{
+  for (const WallContact& c : lists_.wall_contacts())
+    if (c.wall >= first) inserted_ -= contact_elastic_energy(c);
+  lists_.forget_walls(first);
+  walls_.resize(first);
+  for (const Wall& wall : walls) walls_.push_back(wall);
+  // What the new walls store from the start was put in by nobody's work: book it.
+  for (int i = 0; i < clumps_.size(); ++i)
+    for (const Wall& wall : walls) {
+      const std::vector<Sphere>& spheres = clumps_.shape_of(i).spheres;
+      for (std::size_t a = 0; a < spheres.size(); ++a) {
+        const Vector3 x = clumps_.position[i] + clumps_.member_offset(i, a);
+        const double depth = wall_overlap(x, spheres[a].radius, wall).depth;
+        if (depth > 0) inserted_ += 0.5 * wall.contact.normal_stiffness * depth * depth;
+      }
+    }
+}
+
+void Engine::compute_forces(double dt)
+{
+  lists_.update(clumps_, walls_, dt);
+  const int n = clumps_.size();
+  for (int i = 0; i < n; ++i) {
+    clumps_.force[i].setZero();
+    clumps_.torque[i].setZero();
+  }
+  for (Wall& wall : walls_) wall.force.setZero();
+  contact_energy_.elastic = 0;
+  n_touching_ = 0;
+  largest_overlap_ = 0;
+
+  for (SphereContact& c : lists_.sphere_contacts()) {
+    const Sphere &sa = clumps_.shape_of(c.i).spheres[c.a], &sb = clumps_.shape_of(c.j).spheres[c.b];
+    const Vector3 arm_a = clumps_.rotation[c.i] * sa.centre,
+                  arm_b = clumps_.rotation[c.j] * sb.centre;
+    const Vector3 xa = clumps_.position[c.i] + arm_a, xb = clumps_.position[c.j] + arm_b;
+    const double reach = sa.radius + sb.radius;
+    if ((xa - xb).squaredNorm() >= reach * reach) {
+      open_contact(c, stone_on_stone_.tangential_stiffness, contact_energy_);
+      continue;
+    }
+    const Overlap o = sphere_overlap(xa, sa.radius, xb, sb.radius);
+    const Vector3 ri = o.point - clumps_.position[c.i], rj = o.point - clumps_.position[c.j];
+    const Vector3 relative = clumps_.velocity_at(c.i, ri) - clumps_.velocity_at(c.j, rj);
+    const double reduced_mass =
+        clumps_.mass[c.i] * clumps_.mass[c.j] / (clumps_.mass[c.i] + clumps_.mass[c.j]);
+    rotate_spring(c.spring, o.normal,
+                  0.5 * dt * (clumps_.spin[c.i] + clumps_.spin[c.j]).dot(o.normal));
+    c.force = linear_contact_force(stone_on_stone_, reduced_mass, o.depth, o.normal, relative, dt,
+                                   c.spring, contact_energy_);
+    c.point = o.point;
+    clumps_.force[c.i] += c.force;
+    clumps_.force[c.j] -= c.force;
+    clumps_.torque[c.i] += ri.cross(c.force);
+    clumps_.torque[c.j] -= rj.cross(c.force);
+    ++n_touching_;
+    largest_overlap_ = std::max(largest_overlap_, o.depth);
+  }
+
+  for (WallContact& c : lists_.wall_contacts()) {
+    Wall& wall = walls_[c.wall];
+    const Sphere& sphere = clumps_.shape_of(c.i).spheres[c.a];
+    const Overlap o = wall_overlap(clumps_.position[c.i] + clumps_.rotation[c.i] * sphere.centre,
+                                   sphere.radius, wall);
+    if (o.depth <= 0) {
+      open_contact(c, wall.contact.tangential_stiffness, contact_energy_);
+      continue;
+    }
+    const Vector3 ri = o.point - clumps_.position[c.i];
+    const Vector3 relative = clumps_.velocity_at(c.i, ri) - wall.velocity;
+    rotate_spring(c.spring, o.normal, 0.5 * dt * clumps_.spin[c.i].dot(o.normal));
+    c.force = linear_contact_force(wall.contact, clumps_.mass[c.i], o.depth, o.normal, relative, dt,
+                                   c.spring, contact_energy_);
+    c.point = o.point;
+    clumps_.force[c.i] += c.force;
+    clumps_.torque[c.i] += ri.cross(c.force);
+    wall.force -= c.force;
+  }
+  for (const Wall& wall : walls_) wall_work_ -= dt * wall.force.dot(wall.velocity);
+}
+
+void Engine::move_walls(double dt)
+{
+  for (Wall& wall : walls_) wall.corner += dt * wall.velocity;
+}
+
+void Engine::step(double dt)
+{
+  compute_forces(dt);
+  for (int i = 0; i < clumps_.size(); ++i) {
+    kick(i, dt);
+    clumps_.drift(i, dt);
+  }
+  move_walls(dt);
+}
+
+double Engine::body_energy(int i) const
+{
+  return 0.5 * clumps_.mass[i] * clumps_.velocity[i].squaredNorm() +
+         0.5 * clumps_.angular_momentum[i].dot(clumps_.spin[i]) +
+         clumps_.mass[i] * gravity_ * clumps_.position[i].z();
+}
+
+double Engine::contact_elastic_energy(const SphereContact& c) const
+{
+  const Sphere &sa = clumps_.shape_of(c.i).spheres[c.a], &sb = clumps_.shape_of(c.j).spheres[c.b];
+  const double depth =
+      sphere_overlap(clumps_.position[c.i] + clumps_.member_offset(c.i, c.a), sa.radius,
+                     clumps_.position[c.j] + clumps_.member_offset(c.j, c.b), sb.radius)
+          .depth;
+  if (depth <= 0) return 0;
+  return 0.5 * stone_on_stone_.normal_stiffness * depth * depth +
+         0.5 * stone_on_stone_.tangential_stiffness * c.spring.squaredNorm();
+}
+
+double Engine::contact_elastic_energy(const WallContact& c) const
+{
+  const Wall& wall = walls_[c.wall];
+  const double depth = wall_overlap(clumps_.position[c.i] + clumps_.member_offset(c.i, c.a),
+                                    clumps_.shape_of(c.i).spheres[c.a].radius, wall)
+                           .depth;
+  if (depth <= 0) return 0;
+  return 0.5 * wall.contact.normal_stiffness * depth * depth +
+         0.5 * wall.contact.tangential_stiffness * c.spring.squaredNorm();
+}
+
+EngineEnergy Engine::energy(double dt) const
+{
+  EngineEnergy e;
+  for (int i = 0; i < clumps_.size(); ++i) {
+    // Velocities half a step on, so that they belong to the present positions.
+    const Vector3 v =
+        clumps_.velocity[i] + 0.5 * dt * (clumps_.force[i] / clumps_.mass[i] - gravity_vector_);
+    const Vector3 l = clumps_.angular_momentum[i] + 0.5 * dt * clumps_.torque[i];
+    e.kinetic += 0.5 * clumps_.mass[i] * v.squaredNorm() + 0.5 * l.dot(clumps_.spin_of(i, l));
+    e.gravitational += clumps_.mass[i] * gravity_ * clumps_.position[i].z();
+  }
+  e.contact = contact_energy_;
+  e.wall_work = wall_work_;
+  e.inserted = inserted_;
+  return e;
+}
+
+double Engine::kinetic_energy() const
+{
+  double kinetic = 0;
+  for (int i = 0; i < clumps_.size(); ++i)
+    kinetic += 0.5 * clumps_.mass[i] * clumps_.velocity[i].squaredNorm() +
+               0.5 * clumps_.angular_momentum[i].dot(clumps_.spin[i]);
+  return kinetic;
+}
+
+StableStep Engine::stable_step() const
+{
+  std::vector<double> rate(clumps_.size(), 0.); // bound of omega^2 [1/s2]
+  std::vector<int> contacts(clumps_.size(), 0);
+  auto add = [&](int i, const Vector3& point, const ContactProperties& pair) {
+    const double k = pair.normal_stiffness, k_t = pair.tangential_stiffness;
+    const double arm_squared = (point - clumps_.position[i]).squaredNorm();
+    rate[i] +=
+        std::max(k, k_t) / clumps_.mass[i] + k_t * arm_squared / clumps_.inertia[i].minCoeff();
+    ++contacts[i];
+  };
+  for (const SphereContact& c : lists_.sphere_contacts())
+    if (c.force != Vector3::Zero()) {
+      add(c.i, c.point, stone_on_stone_);
+      add(c.j, c.point, stone_on_stone_);
+    }
+  for (const WallContact& c : lists_.wall_contacts())
+    if (c.force != Vector3::Zero()) add(c.i, c.point, walls_[c.wall].contact);
+
+  StableStep limit;
+  double largest = 0;
+  for (int i = 0; i < clumps_.size(); ++i)
+    if (rate[i] > largest) {
+      largest = rate[i];
+      limit = {2 / std::sqrt(2 * rate[i]), clumps_.id[i], clumps_.mass[i], contacts[i]};
+    }
+  return limit;
+}
+
+StableStep Engine::expected_stable_step(const std::vector<double>& densities, int n_contacts) const
+{
+  StableStep limit;
+  double largest = 0;
+  const double k = stone_on_stone_.normal_stiffness, k_t = stone_on_stone_.tangential_stiffness;
+  for (std::size_t s = 0; s < clumps_.shapes().size(); ++s) {
+    const ClumpShape& shape = clumps_.shapes()[s];
+    const double mass = densities[s] * shape.volume, arm = shape.bounding_radius();
+    const double rate =
+        n_contacts * (std::max(k, k_t) / mass +
+                      k_t * arm * arm / (densities[s] * shape.unit_inertia.minCoeff()));
+    if (rate > largest) {
+      largest = rate;
+      limit = {2 / std::sqrt(2 * rate), static_cast<std::int64_t>(s), mass, n_contacts};
+    }
+  }
+  return limit;
+}
+
+int Engine::count_overlaps_brute_force() const
+{
+  int count = 0;
+  for (int i = 0; i < clumps_.size(); ++i)
+    for (int j = i + 1; j < clumps_.size(); ++j)
+      for (std::size_t a = 0; a < clumps_.shape_of(i).spheres.size(); ++a)
+        for (std::size_t b = 0; b < clumps_.shape_of(j).spheres.size(); ++b) {
+          const Vector3 d = clumps_.position[i] + clumps_.member_offset(i, a) -
+                            clumps_.position[j] - clumps_.member_offset(j, b);
+          const double reach =
+              clumps_.shape_of(i).spheres[a].radius + clumps_.shape_of(j).spheres[b].radius;
+          if (d.squaredNorm() < reach * reach) ++count;
+        }
+  return count;
+}
+} // namespace interlock::dem

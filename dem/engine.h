@@ -1,0 +1,114 @@
+// The DEM engine: clumps, walls and their contacts, advanced by leapfrog.
+//
+// The caller owns the loop. One step without ribs reads
+//     engine.compute_forces(dt);   // contacts at the present poses
+//     engine.kick(i, dt); engine.drift(i, dt);  for every clump i
+// and with ribs the kick of the outer forces stays, while clumps near ribs drift in sub-steps
+// (coupling/staggered_step.h).
+#pragma once
+
+#include "dem/neighbour_lists.h"
+
+#include <optional>
+
+namespace interlock::dem
+{
+// Energies of the clumps and of their contacts with each other and with walls [J].
+struct EngineEnergy {
+  double kinetic = 0;       // at the present whole step
+  double gravitational = 0; // m g z, zero at z = 0
+  ContactEnergy contact;    // elastic: now; friction, damping: since the beginning
+  double wall_work = 0;     // done by moving walls on clumps, since the beginning
+  double inserted = 0; // kinetic + gravitational energy of clumps when they were added, and, with
+                       // negative sign, everything that went when clumps were removed
+};
+
+// The step at which the explicit integration would become unstable for the present contacts, and
+// the clump that limits it.
+struct StableStep {
+  double step = 0; // [s]
+  std::int64_t clump_id = -1;
+  double mass = 0;  // of that clump [kg]
+  int contacts = 0; // of that clump
+};
+
+class Engine
+{
+public:
+  // `gravity` acts along -z [m/s2]; `stone_on_stone` holds the pair properties of stones.
+  Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on_stone, double gravity);
+
+  Clumps& clumps() { return clumps_; }
+  const Clumps& clumps() const { return clumps_; }
+  std::vector<Wall>& walls() { return walls_; }
+  const std::vector<Wall>& walls() const { return walls_; }
+  double gravity() const { return gravity_; }
+  // Pair properties of stones; changing them between steps is allowed.
+  ContactProperties& stone_contact() { return stone_on_stone_; }
+  const ContactProperties& stone_contact() const { return stone_on_stone_; }
+
+  int add_clump(int shape, double density, const Vector3& position, const Quaternion& orientation,
+                const Vector3& velocity = Vector3::Zero());
+  // Removes clumps and books their energy, that of their contacts included. Returns old to new
+  // index.
+  std::vector<int> remove_clumps(const std::vector<bool>& remove);
+  int add_wall(const Wall& wall);
+  // Replaces all walls from index `first` on; their contacts start anew.
+  void replace_walls(int first, const std::vector<Wall>& walls);
+
+  // Contact forces and torques (without gravity) at the present poses, in clumps().force and
+  // .torque. `dt` is the step over which tangential springs advance [s].
+  void compute_forces(double dt);
+
+  // Adds the impulse of the computed forces and of gravity.
+  void kick(int clump, double dt)
+  {
+    clumps_.kick(clump, dt, clumps_.force[clump] - clumps_.mass[clump] * gravity_vector_,
+                 clumps_.torque[clump]);
+  }
+  void move_walls(double dt);
+
+  // One whole step of everything, when there are no ribs.
+  void step(double dt);
+
+  // At the present positions and forces (call between compute_forces and kick), for velocities that
+  // are half a step of `dt` behind.
+  EngineEnergy energy(double dt) const;
+  // Of all clumps with the half-step velocities: cheap, for settling criteria [J].
+  double kinetic_energy() const;
+
+  // Bound 2/omega on the stable step from the present contacts: Gershgorin's bound of the stiffness
+  // of a clump, sum over contacts of k_n + 2 k_t over the mass and arm^2 times the same over the
+  // smallest clump, [1/s2]).
+  StableStep stable_step() const;
+  // The same bound before there are contacts, for the lightest shape, if it had `n_contacts`
+  // contacts at its bounding radius.
+  StableStep expected_stable_step(const std::vector<double>& densities, int n_contacts) const;
+
+  std::vector<SphereContact>& sphere_contacts() { return lists_.sphere_contacts(); }
+  const std::vector<SphereContact>& sphere_contacts() const { return lists_.sphere_contacts(); }
+  const std::vector<WallContact>& wall_contacts() const { return lists_.wall_contacts(); }
+  // Counts, and the largest overlap between stones [m], of the last compute_forces.
+  int n_touching_spheres() const { return n_touching_; }
+  double largest_overlap() const { return largest_overlap_; }
+
+  // Brute force over all pairs of member spheres: number of overlapping pairs (for tests).
+  int count_overlaps_brute_force() const;
+
+private:
+  double contact_elastic_energy(const SphereContact& contact) const;
+  double contact_elastic_energy(const WallContact& contact) const;
+  double body_energy(int clump) const;
+
+  Clumps clumps_;
+  std::vector<Wall> walls_;
+  NeighbourLists lists_;
+  ContactProperties stone_on_stone_;
+  double gravity_;
+  Vector3 gravity_vector_; // pointing up: subtract
+  ContactEnergy contact_energy_;
+  double wall_work_ = 0, inserted_ = 0;
+  int n_touching_ = 0;
+  double largest_overlap_ = 0;
+};
+} // namespace interlock::dem

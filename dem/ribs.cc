@@ -1,0 +1,263 @@
+#include "dem/ribs.h"
+
+#include <tuple>
+
+namespace interlock::dem
+{
+namespace
+{
+auto key(const RibContact& c)
+{
+  return std::tie(c.i, c.a, c.line);
+}
+
+double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b)
+{
+  const Vector3 d = b - a;
+  const double t = std::clamp(d.dot(p - a) / d.squaredNorm(), 0., 1.);
+  return (p - a - t * d).norm();
+}
+
+double section_reach(const Rib& rib)
+{
+  return std::hypot(rib.half_width, rib.half_thickness);
+}
+
+// Distance from a point to the flat core of a rib.
+double distance_to_core(const Rib& rib, const Vector3& p)
+{
+  return rib_proximity(rib, p, 0).distance;
+}
+} // namespace
+
+RibProximity rib_proximity(const Rib& rib, const Vector3& centre, double radius)
+{
+  RibProximity result;
+  const Vector3 chord = rib.x[1] - rib.x[0];
+  const double length_squared = chord.squaredNorm();
+  result.xi = std::clamp(chord.dot(centre - rib.x[0]) / length_squared, 0., 1.);
+  result.centre = rib.x[0] + result.xi * chord;
+
+  // Section axes, made perpendicular to the chord so that the nearest point is exact.
+  const Vector3 e1 = chord / std::sqrt(length_squared);
+  const Vector3 e2 = (rib.width_axis - rib.width_axis.dot(e1) * e1).normalized();
+  const Vector3 e3 = e1.cross(e2);
+  const Vector3 d = centre - result.centre;
+  const double core_width = rib.half_width - rib.rounding;
+  const double core_thickness = rib.half_thickness - rib.rounding;
+  result.core = result.centre + std::clamp(d.dot(e2), -core_width, core_width) * e2 +
+                std::clamp(d.dot(e3), -core_thickness, core_thickness) * e3;
+
+  const Vector3 gap = centre - result.core;
+  result.distance = gap.norm();
+  result.overlap = radius + rib.rounding - result.distance;
+  result.normal = result.distance > 1e-12 ? Vector3(gap / result.distance) : e3;
+  return result;
+}
+
+void RibContacts::clear()
+{
+  contacts_.clear();
+  near_clumps_.clear();
+  near_ribs_.clear();
+  wrenches_.clear();
+  valid_ = false;
+}
+
+void RibContacts::renumber_clumps(const std::vector<int>& new_index)
+{
+  contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(),
+                                 [&](const RibContact& c) { return new_index[c.i] < 0; }),
+                  contacts_.end());
+  for (RibContact& c : contacts_) c.i = new_index[c.i];
+  invalidate();
+}
+
+void RibContacts::update_list(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step)
+{
+  if (valid_) {
+    double clump_moved = 0, clump_turned = 0, rib_moved = 0, rib_turned = 0;
+    for (int i = 0; i < clumps.size(); ++i) {
+      clump_moved = std::max(clump_moved, (clumps.position[i] - clump_x_[i]).squaredNorm());
+      const double reach = clumps.member_reach(i);
+      const Vector3 v = (clump_q_[i].conjugate() * clumps.orientation[i]).vec();
+      clump_turned = std::max(clump_turned, reach * reach * v.squaredNorm());
+    }
+    for (std::size_t r = 0; r < ribs.size(); ++r) {
+      const double reach = section_reach(ribs[r]);
+      for (int end : {0, 1})
+        rib_moved = std::max(rib_moved, (ribs[r].x[end] - rib_x_[2 * r + end]).squaredNorm());
+      rib_turned =
+          std::max(rib_turned, reach * reach * (ribs[r].width_axis - rib_axis_[r]).squaredNorm());
+    }
+    const double used = std::sqrt(clump_moved) + 2 * std::sqrt(clump_turned) +
+                        std::sqrt(rib_moved) + 2 * std::sqrt(rib_turned);
+    if (used <= skin_) return;
+  }
+
+  double fastest = 0;
+  for (int i = 0; i < clumps.size(); ++i)
+    fastest = std::max(fastest,
+                       clumps.velocity[i].norm() + clumps.spin[i].norm() * clumps.member_reach(i));
+  for (const Rib& rib : ribs)
+    for (int end : {0, 1})
+      fastest = std::max(fastest, rib.v[end].norm() + rib.w[end].norm() * section_reach(rib));
+  skin_ = std::clamp(2 * fastest * time_step * 40, 1e-4, 1e-3);
+  build(clumps, ribs);
+  valid_ = true;
+}
+
+void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs)
+{
+  clump_x_ = clumps.position;
+  clump_q_ = clumps.orientation;
+  rib_x_.clear();
+  rib_axis_.clear();
+  for (const Rib& rib : ribs) {
+    rib_x_.insert(rib_x_.end(), {rib.x[0], rib.x[1]});
+    rib_axis_.push_back(rib.width_axis);
+  }
+  old_contacts_.swap(contacts_);
+  contacts_.clear();
+  candidate_ribs_.clear();
+  near_clumps_.clear();
+  std::vector<bool> rib_is_near(ribs.size(), false);
+  std::vector<int> close_ribs;
+  Vector3 low = Vector3::Constant(1e300), high = -low;
+  for (const Vector3& x : rib_x_) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  double largest_section = 0;
+  for (const Rib& rib : ribs) largest_section = std::max(largest_section, section_reach(rib));
+
+  for (int i = 0; i < clumps.size(); ++i) {
+    const double ball = clumps.bounding_radius(i) + skin_;
+    close_ribs.clear();
+    const Vector3& x = clumps.position[i];
+    // Most clumps are far above or below the geogrid.
+    const double margin = ball + largest_section;
+    if ((x.array() < low.array() - margin).any() || (x.array() > high.array() + margin).any())
+      continue;
+    for (int r = 0; r < static_cast<int>(ribs.size()); ++r)
+      if (distance_to_segment(x, ribs[r].x[0], ribs[r].x[1]) < ball + section_reach(ribs[r]))
+        close_ribs.push_back(r);
+    const std::size_t before = contacts_.size();
+    const std::vector<Sphere>& spheres = clumps.shape_of(i).spheres;
+    for (int a = 0; a < static_cast<int>(spheres.size()) && !close_ribs.empty(); ++a) {
+      const Vector3 centre = clumps.position[i] + clumps.member_offset(i, a);
+      // Ribs are ordered by line, so the candidates of one line follow one another.
+      for (const int r : close_ribs) {
+        if (rib_proximity(ribs[r], centre, spheres[a].radius).overlap < -skin_) continue;
+        if (contacts_.size() == before || key(contacts_.back()) != std::tie(i, a, ribs[r].line)) {
+          RibContact contact{i, a, ribs[r].line};
+          contact.first = contact.last = candidate_ribs_.size();
+          contacts_.push_back(contact);
+        }
+        candidate_ribs_.push_back(r);
+        contacts_.back().last = candidate_ribs_.size();
+        rib_is_near[r] = true;
+      }
+    }
+    if (contacts_.size() > before) near_clumps_.push_back(i);
+  }
+  near_ribs_.clear();
+  for (int r = 0; r < static_cast<int>(ribs.size()); ++r)
+    if (rib_is_near[r]) near_ribs_.push_back(r);
+
+  auto old = old_contacts_.begin();
+  for (RibContact& c : contacts_) {
+    while (old != old_contacts_.end() && key(*old) < key(c)) ++old;
+    if (old == old_contacts_.end()) break;
+    if (key(*old) == key(c)) c.spring = old->spring, c.force = old->force, c.rib = old->rib;
+  }
+}
+
+const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
+                                                    const std::vector<Rib>& ribs, double time_step,
+                                                    std::vector<Vector3>& force,
+                                                    std::vector<Vector3>& torque,
+                                                    ContactEnergy& energy)
+{
+  energy.elastic = 0;
+  wrenches_.clear();
+  touching_.clear();
+  for (std::size_t g = 0; g < contacts_.size(); ++g) {
+    RibContact& c = contacts_[g];
+    const Vector3 centre = clumps.position[c.i] + clumps.member_offset(c.i, c.a);
+    const double radius = clumps.shape_of(c.i).spheres[c.a].radius;
+    Group group{&c, {}, -1};
+    for (int k = c.first; k < c.last; ++k) {
+      const RibProximity p = rib_proximity(ribs[candidate_ribs_[k]], centre, radius);
+      if (group.rib < 0 || p.overlap > group.nearest.overlap)
+        group.nearest = p, group.rib = candidate_ribs_[k];
+    }
+    if (group.nearest.overlap > 0)
+      touching_.push_back(group);
+    else {
+      // What little the spring still holds is lost by friction when the contact opens.
+      energy.friction += 0.5 * contact_.tangential_stiffness * c.spring.squaredNorm();
+      c.spring.setZero();
+      c.force.setZero();
+      c.overlap = 0;
+    }
+    const bool last_of_sphere =
+        g + 1 == contacts_.size() || contacts_[g + 1].i != c.i || contacts_[g + 1].a != c.a;
+    if (!last_of_sphere) continue;
+    if (touching_.size() > 1) merge_at_junctions(ribs);
+    for (const Group& t : touching_) touch(t, clumps, ribs, time_step, force, torque, energy);
+    touching_.clear();
+  }
+  return wrenches_;
+}
+
+// Where two lines cross, their solids share the junction. A sphere on the shared part touches one
+// body, not two: the contact with less overlap is dropped and hands its spring to the other.
+void RibContacts::merge_at_junctions(const std::vector<Rib>& ribs)
+{
+  for (std::size_t m = 0; m < touching_.size(); ++m)
+    for (std::size_t n = m + 1; n < touching_.size();) {
+      Group &a = touching_[m], &b = touching_[n];
+      const bool shared = distance_to_core(ribs[b.rib], a.nearest.core) < ribs[b.rib].rounding ||
+                          distance_to_core(ribs[a.rib], b.nearest.core) < ribs[a.rib].rounding;
+      if (!shared) {
+        ++n;
+        continue;
+      }
+      if (b.nearest.overlap > a.nearest.overlap) std::swap(a, b);
+      if (a.contact->overlap <= 0) a.contact->spring = b.contact->spring;
+      b.contact->spring.setZero();
+      b.contact->force.setZero();
+      b.contact->overlap = 0;
+      touching_.erase(touching_.begin() + n);
+    }
+}
+
+void RibContacts::touch(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
+                        double time_step, std::vector<Vector3>& force, std::vector<Vector3>& torque,
+                        ContactEnergy& energy)
+{
+  RibContact& c = *group.contact;
+  const Rib& rib = ribs[group.rib];
+  const RibProximity& p = group.nearest;
+  const double n1 = 1 - p.xi, n2 = p.xi;
+
+  c.rib = group.rib;
+  c.xi = p.xi;
+  c.overlap = p.overlap;
+  c.point = p.core + (rib.rounding - 0.5 * p.overlap) * p.normal;
+  c.arm = c.point - p.centre;
+  const Vector3 clump_arm = c.point - clumps.position[c.i];
+  const Vector3 rib_spin = n1 * rib.w[0] + n2 * rib.w[1];
+  const Vector3 rib_velocity = n1 * rib.v[0] + n2 * rib.v[1] + rib_spin.cross(c.arm);
+  const Vector3 relative = clumps.velocity_at(c.i, clump_arm) - rib_velocity;
+
+  // Dashpots act on the reduced mass: the rib is far lighter than the stone.
+  const double reduced_mass =
+      1 / (1 / clumps.mass[c.i] + n1 * n1 * rib.inverse_mass[0] + n2 * n2 * rib.inverse_mass[1]);
+  const double twist = 0.5 * (clumps.spin[c.i] + rib_spin).dot(p.normal) * time_step;
+  rotate_spring(c.spring, p.normal, twist);
+  c.force = linear_contact_force(contact_, reduced_mass, p.overlap, p.normal, relative, time_step,
+                                 c.spring, energy);
+  force[c.i] += c.force;
+  torque[c.i] += clump_arm.cross(c.force);
+  wrenches_.push_back({group.rib, p.xi, -c.force, -c.arm.cross(c.force)});
+}
+} // namespace interlock::dem
