@@ -1,0 +1,41 @@
+#include "fem/beam_section.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace interlock::fem
+{
+namespace
+{
+void require(bool fine, const char* name, double value, const char* allowed)
+{
+  if (!fine)
+    throw std::invalid_argument("The " + std::string(name) + " of a rib is " +
+                                std::to_string(value) + " but must be " + allowed + ".");
+}
+} // namespace
+
+BeamSection beam_section(const RibSection& rib)
+{
+  require(rib.width > 0, "width", rib.width, "positive");
+  require(rib.thickness > 0, "thickness", rib.thickness, "positive");
+  require(rib.youngs_modulus > 0, "Young's modulus", rib.youngs_modulus, "positive");
+  require(rib.density > 0, "density", rib.density, "positive");
+  require(rib.poisson_ratio > -1 && rib.poisson_ratio <= 0.5, "Poisson's ratio", rib.poisson_ratio,
+          "above -1 and at most 0.5");
+
+  const double shear_modulus = rib.youngs_modulus / (2 * (1 + rib.poisson_ratio));
+  const double i2 = second_moment_2(rib), i3 = second_moment_3(rib);
+  BeamSection section;
+  section.axial = rib.youngs_modulus * area(rib);
+  section.shear_2 = section.shear_3 = shear_modulus * shear_area(rib);
+  section.torsion = shear_modulus * torsion_constant(rib);
+  section.bending_2 = rib.youngs_modulus * i2;
+  section.bending_3 = rib.youngs_modulus * i3;
+  section.line_density = rib.density * area(rib);
+  section.rotary_1 = rib.density * (i2 + i3);
+  section.rotary_2 = rib.density * i2;
+  section.rotary_3 = rib.density * i3;
+  return section;
+}
+} // namespace interlock::fem

@@ -1,0 +1,38 @@
+// The six stiffnesses and the inertia per length that the beam element works with.
+#pragma once
+
+#include "fem/rib_section.h"
+
+namespace interlock::fem
+{
+// Linear elastic section laws in the element's frame (e1 along the beam): axial force
+// N = axial * stretch, shear V_i = shear_i * shear strain, torque T = torsion * twist, moments
+// M_i = bending_i * curvature about e_i. Any beam can be given; `beam_section` fills it for a rib.
+struct BeamSection {
+  double axial = 0;        // E A [N]
+  double shear_2 = 0;      // k G A along e2 [N]
+  double shear_3 = 0;      // k G A along e3 [N]
+  double torsion = 0;      // G J [N m2]
+  double bending_2 = 0;    // E I about e2, out-of-plane bending [N m2]
+  double bending_3 = 0;    // E I about e3, in-plane bending [N m2]
+  double line_density = 0; // rho A [kg/m]
+  double rotary_1 = 0;     // rho (I2 + I3) [kg m]
+  double rotary_2 = 0;     // rho I2 [kg m]
+  double rotary_3 = 0;     // rho I3 [kg m]
+};
+
+// Section laws of a rib of rectangular cross-section.
+// Throws std::invalid_argument when a size, Young's modulus or the density is not positive or
+// Poisson's ratio is outside (-1, 0.5].
+BeamSection beam_section(const RibSection& rib);
+
+// Shear stiffness [N] of one element with the residual bending flexibility of its plane,
+// 1/S* = 1/S + h^2/(12 EI) (MacNeal, Computers & Structures 8 (1978) 175-183): it gives the
+// two-node one-point element the exact deflection of a straight span at small load. `bending` is
+// the stiffness about the axis normal to the shear direction, `length` the length of the element
+// [m].
+inline double residual_shear(double shear, double bending, double length)
+{
+  return 1 / (1 / shear + length * length / (12 * bending));
+}
+} // namespace interlock::fem

@@ -1,0 +1,99 @@
+#include "fem/lattice.h"
+
+#include "fem/lattice_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace interlock::fem
+{
+namespace
+{
+Eigen::Quaterniond element_frame(const Eigen::Vector3d& chord, const RibLine& line, int l)
+{
+  const Eigen::Vector3d e1 = chord.normalized();
+  const Eigen::Vector3d across = line.normal.cross(e1);
+  if (!(across.norm() > 1e-6 * line.normal.norm()))
+    throw std::invalid_argument(
+        "The normal of rib line " + std::to_string(l) +
+        " points along the line, so the axes of its section are undefined.");
+  Eigen::Matrix3d axes;
+  axes.col(0) = e1;
+  axes.col(1) = across.normalized();
+  axes.col(2) = e1.cross(axes.col(1));
+  return Eigen::Quaterniond(axes).normalized();
+}
+
+// The freedom that stands for `dof`: itself, or the one that a junction ties it to.
+unsigned int master_dof(const dealii::AffineConstraints<double>& ties, unsigned int dof)
+{
+  const auto* entries = ties.get_constraint_entries(dof);
+  return entries == nullptr ? dof : static_cast<unsigned int>(entries->front().first);
+}
+} // namespace
+
+Lattice::Lattice(std::vector<RibLine> lines)
+    : lines_(std::move(lines)), mesh_(std::make_shared<LatticeMesh>(lines_))
+{
+  std::map<unsigned int, int> node_of_dof;
+  for (const auto& cell : mesh_->dof_handler().active_cell_iterators()) {
+    LatticeElement element;
+    element.line = static_cast<int>(cell->material_id());
+    std::array<Eigen::Vector3d, 2> ends;
+    for (unsigned int v = 0; v < 2; ++v) {
+      ends[v] = {cell->vertex(v)[0], cell->vertex(v)[1], cell->vertex(v)[2]};
+      const unsigned int dof = master_dof(mesh_->junction_ties(), cell->vertex_dof_index(v, 0));
+      const auto [entry, is_new] = node_of_dof.emplace(dof, n_nodes());
+      if (is_new) {
+        positions_.push_back(ends[v]);
+        first_dof_.push_back(dof);
+      }
+      element.node[v] = entry->second;
+    }
+    element.length = (ends[1] - ends[0]).norm();
+    element.frame = element_frame(ends[1] - ends[0], lines_[element.line], element.line);
+    elements_.push_back(element);
+  }
+}
+
+std::vector<int> Lattice::nodes_of_line(int l) const
+{
+  std::vector<int> nodes;
+  for (const LatticeElement& element : elements_) {
+    if (element.line != l) continue;
+    if (nodes.empty()) nodes.push_back(element.node[0]);
+    nodes.push_back(element.node[1]);
+  }
+  return nodes;
+}
+
+std::vector<int> Lattice::front_edge_nodes() const
+{
+  double front = positions_[0].x(), shortest = elements_[0].length;
+  for (const Eigen::Vector3d& x : positions_) front = std::min(front, x.x());
+  for (const LatticeElement& element : elements_) shortest = std::min(shortest, element.length);
+  std::vector<int> nodes;
+  for (int i = 0; i < n_nodes(); ++i)
+    if (positions_[i].x() <= front + 1e-6 * shortest) nodes.push_back(i);
+  return nodes;
+}
+
+int Lattice::nearest_node(const Eigen::Vector3d& point) const
+{
+  const auto nearer = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return (a - point).squaredNorm() < (b - point).squaredNorm();
+  };
+  return static_cast<int>(std::min_element(positions_.begin(), positions_.end(), nearer) -
+                          positions_.begin());
+}
+
+double Lattice::mass() const
+{
+  double sum = 0;
+  for (int e = 0; e < n_elements(); ++e) sum += section(e).line_density * elements_[e].length;
+  return sum;
+}
+} // namespace interlock::fem

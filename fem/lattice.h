@@ -1,0 +1,72 @@
+// A lattice of beams in compact arrays, free of deal.II: what dynamics, contacts and output read.
+#pragma once
+
+#include "fem/biaxial_layout.h"
+#include "fem/rib_line.h"
+
+#include <Eigen/Dense>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace interlock::fem
+{
+class LatticeMesh;
+
+// A beam between two nodes, in the unloaded state.
+struct LatticeElement {
+  std::array<int, 2> node{}; // e1 points from node[0] to node[1]
+  int line = 0;              // rib line that it belongs to
+  double length = 0;         // [m]
+  // Element frame to world: columns e1 (along the rib), e2 (in the plane of the lattice, the
+  // direction of the rib's width), e3 (out of plane, the direction of its thickness).
+  Eigen::Quaterniond frame = Eigen::Quaterniond::Identity();
+};
+
+// Nodes, elements and rib lines. A junction is one node, shared by the elements of all lines that
+// meet there. Elements are numbered line by line, along each line, so that the elements of a line
+// are consecutive and element i of a line ends where element i + 1 starts. Copies share the mesh.
+class Lattice
+{
+public:
+  // Lines are joined rigidly wherever they share a vertex position.
+  // Throws std::invalid_argument when there is no line, or one with fewer than two points, or with
+  // a normal along its direction.
+  explicit Lattice(std::vector<RibLine> lines);
+  explicit Lattice(const BiaxialLayout& layout) : Lattice(rib_lines(layout)) {}
+
+  int n_nodes() const { return static_cast<int>(positions_.size()); }
+  int n_elements() const { return static_cast<int>(elements_.size()); }
+  int n_lines() const { return static_cast<int>(lines_.size()); }
+
+  // Position of a node in the unloaded state, world frame [m].
+  const Eigen::Vector3d& reference_position(int node) const { return positions_[node]; }
+  const LatticeElement& element(int e) const { return elements_[e]; }
+  const RibLine& line(int l) const { return lines_[l]; }
+  // Outer shape of an element's rib, for contacts and pictures.
+  const RibSection& shape(int e) const { return lines_[elements_[e].line].shape; }
+  const BeamSection& section(int e) const { return lines_[elements_[e].line].section; }
+
+  // Nodes of one line, from its first vertex to its last.
+  std::vector<int> nodes_of_line(int l) const;
+  // Nodes with the smallest x of the unloaded state: the front transverse rib of a biaxial lattice.
+  std::vector<int> front_edge_nodes() const;
+  // The node nearest to a point of the unloaded state [m].
+  int nearest_node(const Eigen::Vector3d& point) const;
+  // Mass of all ribs [kg].
+  double mass() const;
+
+  // First of the six consecutive freedoms of a node in deal.II's numbering.
+  unsigned int first_dof(int node) const { return first_dof_[node]; }
+  const LatticeMesh& mesh() const { return *mesh_; }
+
+private:
+  std::vector<RibLine> lines_;
+  std::shared_ptr<const LatticeMesh> mesh_;
+  std::vector<Eigen::Vector3d> positions_;
+  std::vector<LatticeElement> elements_;
+  std::vector<unsigned int> first_dof_;
+};
+} // namespace interlock::fem
