@@ -1,5 +1,5 @@
-// The template of a clump: member spheres of one stone in its body frame, with the mass properties that
-// the equations of motion use. Many clumps share one shape.
+// The template of a clump: member spheres of one stone in its body frame, with the mass properties
+// that the equations of motion use. Many clumps share one shape.
 #pragma once
 
 #include "dem/vector.h"
@@ -14,12 +14,13 @@ struct Sphere {
   double radius;  // [m]
 };
 
-// Body frame: origin at the centre of mass, axes along the principal axes of inertia (right-handed).
+// Body frame: origin at the centre of mass, axes along the principal axes of inertia
+// (right-handed).
 struct ClumpShape {
   std::string name;
   std::vector<Sphere> spheres;
-  double volume = 0;                             // of the stone, the mass is density * volume [m3]
-  Vector3 unit_inertia = Vector3::Zero();        // principal moments for unit density [m5]
+  double volume = 0;                      // of the stone, the mass is density * volume [m3]
+  Vector3 unit_inertia = Vector3::Zero(); // principal moments for unit density [m5]
 
   // Largest |centre| + radius: the clump lies inside this ball around its centre of mass [m].
   double bounding_radius() const;
