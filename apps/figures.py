@@ -120,7 +120,7 @@ def save(figure, path):
     print(f"Wrote {path}.")
 
 
-def force_figure(runs, labels, path):
+def force_figure(runs, labels, path, with_laboratory):
     figure, axes = plt.subplots(figsize=(7.5, 4.8), layout="constrained")
     surcharges = []
     for i, run in enumerate(runs):
@@ -132,7 +132,8 @@ def force_figure(runs, labels, path):
         draw_force(axes, history, COLOURS[i % len(COLOURS)], label)
         # Without a surcharge entry the plain test is what the paper compares first.
         surcharges.append(find_result(summary, "surcharge") or 0)
-    draw_laboratory(axes, surcharges)
+    if with_laboratory:
+        draw_laboratory(axes, surcharges)
     axes.set_xlabel("displacement of the pulled edge [mm]")
     axes.set_ylabel("pull-out force [N]")
     axes.set_xlim(left=0)
@@ -177,12 +178,15 @@ def main():
                         help="file of the force-displacement figure (default: in the first run's figures/)")
     parser.add_argument("--label", action="append", default=[], metavar="TEXT",
                         help="name of a run in the legend, once for each run in the same order")
+    parser.add_argument("--no-laboratory", action="store_true",
+                        help="leave out the laboratory's plateau, for a box or a pull unlike the paper's")
     arguments = parser.parse_args()
     folder = os.path.join(arguments.runs[0], "figures")
     single = len(arguments.runs) == 1
     default = os.path.join(folder, "force_displacement.png" if single else "comparison.png")
     try:
-        force_figure(arguments.runs, arguments.label, arguments.output or default)
+        force_figure(arguments.runs, arguments.label, arguments.output or default,
+                     not arguments.no_laboratory)
         if single:
             energy_figure(arguments.runs[0], os.path.join(folder, "energy.png"))
             import field_figures  # h5py is needed for these only

@@ -1,0 +1,174 @@
+"""Pictures from the fields written for ParaView: the box from the side and the contact force network.
+
+Reads clumps.xdmf, geogrid.xdmf and contacts.xdmf with the HDF5 files that they name. Imported by
+figures.py; needs h5py.
+"""
+
+import os
+import xml.etree.ElementTree
+
+import h5py
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import EllipseCollection, LineCollection
+from matplotlib.colors import Normalize
+
+
+class Series:
+    """A time series of one field: the frames of an XDMF file, whose arrays lie in HDF5 files."""
+
+    def __init__(self, path):
+        self.folder = os.path.dirname(path)
+        root = xml.etree.ElementTree.parse(path).getroot()
+        self.frames = [grid for grid in root.iter("Grid") if grid.find("Time") is not None]
+
+    def __len__(self):
+        return len(self.frames)
+
+    def time(self, frame):
+        return float(self.frames[frame].find("Time").get("Value"))
+
+    def points(self, frame):
+        """Coordinates [m], one row a point."""
+        return self.array(self.frames[frame].find("Geometry"))
+
+    def lines(self, frame):
+        """Indices of the two end points of every line."""
+        return self.array(self.frames[frame].find("Topology")).reshape(-1, 2)
+
+    def attribute(self, frame, name):
+        """One value or row a point or line; None when the file has no field of this name."""
+        for attribute in self.frames[frame].iter("Attribute"):
+            if attribute.get("Name") == name:
+                return self.array(attribute)
+        return None
+
+    def array(self, element):
+        """What `file.h5:/dataset` in an element's DataItem points at."""
+        file, dataset = element.find("DataItem").text.strip().split(":")
+        with h5py.File(os.path.join(self.folder, file), "r") as fields:
+            return fields[dataset][()]
+
+
+def open_series(run, name):
+    """The series of one field, or None where the run wrote none or has no frame yet."""
+    path = os.path.join(run, name + ".xdmf")
+    if not os.path.isfile(path):
+        return None
+    series = Series(path)
+    return series if len(series) else None
+
+
+def displacement_of_spheres(clumps, frame):
+    """Way of every sphere's stone since the first frame [m]; spheres of one stone share it."""
+    stone = clumps.attribute(frame, "clump")
+    first = mean_by(clumps.attribute(0, "clump"), clumps.points(0))
+    now = mean_by(stone, clumps.points(frame))
+    ways = {key: np.linalg.norm(now[key] - first[key]) if key in first else 0.0 for key in now}
+    return np.array([ways[key] for key in stone])
+
+
+def mean_by(keys, points):
+    """Mean of the points of each key, as a dictionary."""
+    unique, index = np.unique(keys, return_inverse=True)
+    sums = np.zeros((len(unique), 3))
+    np.add.at(sums, index, points)
+    return dict(zip(unique, sums / np.bincount(index)[:, None]))
+
+
+def draw_stones(axes, clumps, frame, limit):
+    """Stones of the rear half of the box, coloured by their way, the nearest on top; returns the scale."""
+    points, stone = 1e3 * clumps.points(frame), clumps.attribute(frame, "clump")
+    diameter = 2e3 * clumps.attribute(frame, "radius")
+    scale = ScalarMappable(Normalize(0, limit), "YlGnBu")
+    colours = scale.to_rgba(1e3 * displacement_of_spheres(clumps, frame))
+    middle = 0.5 * (points[:, 1].min() + points[:, 1].max())
+    depth = {key: centre[1] for key, centre in mean_by(stone, points).items() if centre[1] >= middle}
+    # Each stone is painted twice: a little larger and dark, then its own colour, which leaves an outline.
+    members, grow, paint = [], [], []
+    for key in sorted(depth, key=depth.get, reverse=True):
+        mine = np.flatnonzero(stone == key)
+        members += [mine, mine]
+        grow += [np.full(len(mine), 1.2), np.zeros(len(mine))]
+        paint += [np.tile([0.25, 0.25, 0.25, 1.0], (len(mine), 1)), colours[mine]]
+    if members:
+        members, grow = np.concatenate(members), np.concatenate(grow)
+        size = diameter[members] + grow
+        axes.add_collection(EllipseCollection(
+            size, size, np.zeros(len(size)), units="xy", offsets=points[members][:, [0, 2]],
+            offset_transform=axes.transData, facecolors=np.concatenate(paint), linewidths=0))
+    return scale
+
+
+def draw_lines(axes, points, lines, **style):
+    """Lines between points, seen along y, in mm; returns the artist."""
+    ends = 1e3 * points[:, [0, 2]]
+    return axes.add_collection(LineCollection(ends[lines], **style))
+
+
+def dress(axes, points, title):
+    """The same scale on both axes, with room around everything that is drawn."""
+    low, high = 1e3 * points.min(axis=0), 1e3 * points.max(axis=0)
+    axes.set_xlim(low[0] - 30, high[0] + 30)
+    axes.set_ylim(low[2] - 30, high[2] + 30)
+    axes.set_aspect("equal")
+    axes.set_xlabel("x [mm]")
+    axes.set_ylabel("z [mm]")
+    axes.set_title(title, fontsize=10)
+
+
+def box_figure(run, path, save):
+    clumps, geogrid = open_series(run, "clumps"), open_series(run, "geogrid")
+    if clumps is None:
+        print(f"Left out {path}: {run} holds no clumps.xdmf with a frame.")
+        return
+    figure, panels = plt.subplots(1, 2, figsize=(12, 5), sharey=True, layout="constrained")
+    last = len(clumps) - 1
+    limit = max(1e-3, 1e3 * np.percentile(displacement_of_spheres(clumps, last), 98))
+    for axes, frame in zip(panels, (0, last)):
+        scale = draw_stones(axes, clumps, frame, limit)
+        extent = [clumps.points(0), clumps.points(last)]
+        if geogrid is not None:
+            ribs = min(frame, len(geogrid) - 1)
+            draw_lines(axes, geogrid.points(ribs), geogrid.lines(ribs), color="#D55E00", linewidth=1.6)
+            extent += [geogrid.points(0), geogrid.points(len(geogrid) - 1)]
+        dress(axes, np.concatenate(extent), f"rear half of the box at {clumps.time(frame):.3f} s")
+    figure.colorbar(scale, ax=panels, label="way of the stone since the first frame [mm]", shrink=0.8)
+    save(figure, path)
+
+
+def force_chain_figure(run, path, save):
+    contacts, geogrid = open_series(run, "contacts"), open_series(run, "geogrid")
+    if contacts is None:
+        print(f"Left out {path}: {run} holds no contacts.xdmf with a frame.")
+        return
+    # The frame with the largest force: arches form and break, and the last frame may fall between.
+    strengths = [np.linalg.norm(np.atleast_2d(contacts.attribute(i, "force")), axis=-1)
+                 if contacts.attribute(i, "force").size else np.zeros(0) for i in range(len(contacts))]
+    frame = int(np.argmax([s.max() if s.size else 0 for s in strengths]))
+    if strengths[frame].size == 0:
+        print(f"Left out {path}: there is no contact in any frame.")
+        return
+    strength, points = strengths[frame], contacts.points(frame)
+    order = np.argsort(strength)
+    figure, axes = plt.subplots(figsize=(8, 5), layout="constrained")
+    # Full width at the strongest contacts; one outlier must not thin all the others.
+    reference = np.percentile(strength, 99.5)
+    width = 5 * np.minimum(strength[order] / reference, 1.5)
+    draw_lines(axes, points, contacts.lines(frame)[order], color="black", linewidth=width, alpha=0.75,
+               capstyle="round")
+    extent = [points]
+    if geogrid is not None:
+        ribs = min(frame, len(geogrid) - 1)
+        draw_lines(axes, geogrid.points(ribs), geogrid.lines(ribs), color="#D55E00", linewidth=1.6)
+        extent.append(geogrid.points(ribs))
+    dress(axes, np.concatenate(extent), f"contact forces at {contacts.time(frame):.3f} s, line width in "
+          f"proportion to force, largest {strength.max():.3g} N")
+    save(figure, path)
+
+
+def draw_all(run, folder, save):
+    """Both pictures into `folder`; `save(figure, path)` writes one."""
+    box_figure(run, os.path.join(folder, "box.png"), save)
+    force_chain_figure(run, os.path.join(folder, "force_chains.png"), save)
