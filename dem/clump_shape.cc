@@ -72,19 +72,28 @@ double ClumpShape::bounding_radius() const
 
 void write_clump_shape(const std::string& path, const ClumpShape& shape)
 {
-  nlohmann::ordered_json object;
-  object["format"] = format;
-  object["name"] = shape.name;
-  object["volume_m3"] = shape.volume;
+  // One line a sphere, which people can read; json prints the shortest digits that read back the
+  // same.
+  std::string text = "{\n";
+  const auto add = [&](const char* name, const json& value) {
+    text += json(name).dump() + ": " + value.dump() + ",\n";
+  };
   const Vector3& inertia = shape.unit_inertia;
-  object["unit_inertia_m5"] = {inertia[0], inertia[1], inertia[2]};
-  object["spheres_x_y_z_r_m"] = json::array();
-  for (const Sphere& s : shape.spheres)
-    object["spheres_x_y_z_r_m"].push_back({s.centre[0], s.centre[1], s.centre[2], s.radius});
+  add("format", format);
+  add("name", shape.name);
+  add("volume_m3", shape.volume);
+  add("unit_inertia_m5", {inertia[0], inertia[1], inertia[2]});
+  text += "\"spheres_x_y_z_r_m\": [";
+  const char* separator = "\n";
+  for (const Sphere& s : shape.spheres) {
+    text += separator + json({s.centre[0], s.centre[1], s.centre[2], s.radius}).dump();
+    separator = ",\n";
+  }
+  text += "\n]}\n";
 
   const std::string temporary = path + ".tmp";
   std::ofstream file(temporary);
-  file << object.dump(1) << '\n';
+  file << text;
   file.close();
   std::error_code error;
   if (file) std::filesystem::rename(temporary, path, error);
