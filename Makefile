@@ -56,13 +56,15 @@ test: build
 	@echo 'Running the tests with $(JOBS) jobs.'
 	@bash scripts/run_tests.sh $(RELEASE) $(JOBS)
 
-# Leaks inside MPI and PETSc start-up are not ours; everything else counts.
+# Leaks inside MPI and PETSc start-up are not ours; everything else counts. Whole call stacks (no fast
+# unwinding) are what tells the two apart.
 sanitize: install
 	@echo 'Building the unit tests with sanitizers in $(SANITIZED) with $(JOBS) jobs.'
 	@cmake --preset asan-ubsan --log-level=WARNING >/dev/null
 	@cmake --build --preset asan-ubsan --parallel $(JOBS) --target unit_tests
 	@LSAN_OPTIONS=suppressions=$(CURDIR)/cmake/leak_suppressions.txt:print_suppressions=0 \
-	  UBSAN_OPTIONS=print_stacktrace=1 bash scripts/run_tests.sh $(SANITIZED) $(JOBS) -L unit
+	  ASAN_OPTIONS=fast_unwind_on_malloc=0 UBSAN_OPTIONS=print_stacktrace=1 \
+	  bash scripts/run_tests.sh $(SANITIZED) $(JOBS) -L unit
 
 format:
 	@command -v clang-format >/dev/null || { echo 'Install clang-format first.' >&2; exit 1; }
