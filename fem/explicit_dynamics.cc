@@ -1,0 +1,253 @@
+// Set-up, state and queries of the explicit integrator; the step itself is in explicit_step.cc.
+#include "fem/explicit_dynamics.h"
+
+#include "fem/beam_constants.h"
+#include "fem/stable_step.h"
+#include "fem/wide.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace interlock::fem
+{
+namespace
+{
+// Entries xx yy zz xy xz yz of a symmetric matrix.
+std::array<double, 6> packed(const Eigen::Matrix3d& a)
+{
+  return {a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2)};
+}
+
+void require_size(std::size_t size, int nodes, const char* name)
+{
+  if (size != static_cast<std::size_t>(nodes))
+    throw std::invalid_argument("A lattice state holds " + std::to_string(size) + " entries of " +
+                                name + " but the lattice has " + std::to_string(nodes) + " nodes.");
+}
+} // namespace
+
+ExplicitDynamics::ExplicitDynamics(const Lattice& lattice, const DynamicsOptions& options)
+    : lattice_(lattice), options_(options),
+      nodes_(lump_inertia(lattice, options.spherical_inertia)),
+      stable_step_(stable_beam_step(lattice, nodes_, options.spherical_inertia, options.rbf))
+{
+  number_slots();
+  size_lanes();
+  fill_beam_constants();
+  fill_node_constants();
+  for (int i = 0; i < lattice.n_nodes(); ++i) put_node(i, position_, lattice.reference_position(i));
+}
+
+void ExplicitDynamics::number_slots()
+{
+  node_slot_.assign(lattice_.n_nodes(), -1);
+  std::vector<std::vector<int>> slots_of_node(lattice_.n_nodes());
+  const auto add_slot = [&](int node) {
+    if (node_slot_[node] < 0) node_slot_[node] = n_slots_;
+    slots_of_node[node].push_back(n_slots_);
+    slot_node_.push_back(node);
+    ++n_slots_;
+  };
+  for (int e = 0; e < lattice_.n_elements(); ++e) {
+    const LatticeElement& element = lattice_.element(e);
+    if (e == 0 || element.line != lattice_.element(e - 1).line) add_slot(element.node[0]);
+    element_slot_.push_back(n_slots_ - 1);
+    add_slot(element.node[1]);
+  }
+  for (const std::vector<int>& slots : slots_of_node)
+    if (slots.size() > 1) junction_slots_.push_back(slots);
+}
+
+void ExplicitDynamics::size_lanes()
+{
+  n_padded_ = (n_slots_ + wide_lanes - 1) / wide_lanes * wide_lanes;
+  // One block more at either side: reading slot s + 1, and the element that ends at slot s.
+  const auto clear = [&](Lane& lane) { lane.assign(n_padded_ + 2 * wide_lanes, 0.); };
+  const auto clear_all = [&](auto&... lanes) {
+    (std::for_each(lanes.begin(), lanes.end(), clear), ...);
+  };
+  clear_all(position_, velocity_, spin_, angular_momentum_, orientation_, frame_, force_stiffness_,
+            moment_stiffness_, inertia_, inverse_inertia_, load_force_, load_torque_, beam_force_,
+            beam_torque1_, beam_torque2_, force_, torque_);
+  for (Lane* lane : {&length_, &inverse_length_, &mass_, &inverse_mass_, &clamped_, &counts_})
+    clear(*lane);
+  std::fill(orientation_[0].begin(), orientation_[0].end(), 1.);
+  std::fill(frame_[0].begin(), frame_[0].end(), 1.);
+}
+
+void ExplicitDynamics::fill_beam_constants()
+{
+  for (int e = 0; e < lattice_.n_elements(); ++e) {
+    const BeamConstants<double> beam = beam_constants(lattice_, e, options_.rbf);
+    const int s = element_slot_[e];
+    length_[s] = beam.length;
+    inverse_length_[s] = beam.inverse_length;
+    for (int c = 0; c < 4; ++c) frame_[c][s] = beam.frame[c];
+    for (int c = 0; c < 3; ++c) {
+      force_stiffness_[c][s] = beam.force_stiffness[c];
+      moment_stiffness_[c][s] = beam.moment_stiffness[c];
+    }
+  }
+}
+
+void ExplicitDynamics::fill_node_constants()
+{
+  for (const NodeInertia& node : nodes_) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(node.tensor,
+                                                                   Eigen::EigenvaluesOnly);
+    smallest_inertia_.push_back(principal.eigenvalues()[0]);
+  }
+  for (int s = 0; s < n_slots_; ++s) {
+    const NodeInertia& node = nodes_[slot_node_[s]];
+    mass_[s] = node.mass;
+    inverse_mass_[s] = 1 / node.mass;
+    counts_[s] = node_slot_[slot_node_[s]] == s ? 1 : 0;
+    const auto tensor = packed(node.tensor), inverse = packed(node.tensor.inverse());
+    for (int c = 0; c < 6; ++c) {
+      inertia_[c][s] = tensor[c];
+      inverse_inertia_[c][s] = inverse[c];
+    }
+  }
+}
+
+void ExplicitDynamics::put_node(int node, Lanes3& lanes, const Eigen::Vector3d& value)
+{
+  for (int s = node_slot_[node]; s < n_slots_; ++s) {
+    if (slot_node_[s] != node) continue;
+    for (int c = 0; c < 3; ++c) lanes[c][s] = value[c];
+  }
+}
+
+void ExplicitDynamics::clear_loads()
+{
+  for (int c = 0; c < 3; ++c) {
+    std::fill(load_force_[c].begin(), load_force_[c].end(), 0.);
+    std::fill(load_torque_[c].begin(), load_torque_[c].end(), 0.);
+  }
+}
+
+void ExplicitDynamics::add_nodal_load(int node, const Eigen::Vector3d& force,
+                                      const Eigen::Vector3d& moment)
+{
+  for (int c = 0; c < 3; ++c) {
+    load_force_[c][node_slot_[node]] += force[c];
+    load_torque_[c][node_slot_[node]] += moment[c];
+  }
+}
+
+void ExplicitDynamics::clamp(const std::vector<int>& nodes)
+{
+  std::vector<bool> is_clamped(lattice_.n_nodes(), false);
+  for (const int node : nodes) is_clamped.at(node) = true;
+  for (int s = 0; s < n_slots_; ++s) clamped_[s] = is_clamped[slot_node_[s]] ? 1 : 0;
+  all_clamped_ = std::find(is_clamped.begin(), is_clamped.end(), false) == is_clamped.end();
+}
+
+void ExplicitDynamics::clamp_all()
+{
+  std::fill_n(clamped_.begin(), n_slots_, 1.);
+  all_clamped_ = true;
+}
+
+void ExplicitDynamics::step(double h)
+{
+  const double kick = 0.5 * (previous_step_ + h);
+  // The rigid geogrid does not deform, so its elements exert no force in sum.
+  if (!all_clamped_) compute_element_loads();
+  sum_at_slots(!all_clamped_);
+  sum_at_junctions();
+  if (options_.spherical_inertia)
+    update_nodes<true>(kick, h);
+  else
+    update_nodes<false>(kick, h);
+  previous_step_ = h;
+}
+
+LatticeEnergies ExplicitDynamics::energies() const
+{
+  LatticeEnergies energies;
+  const double back = 0.5 * previous_step_;
+  for (int i = 0; i < lattice_.n_nodes(); ++i) {
+    const int s = node_slot_[i];
+    const Eigen::Vector3d v = velocity(i), w = spin(i);
+    const Eigen::Vector3d l = options_.spherical_inertia ? Eigen::Vector3d(inertia_[0][s] * w)
+                                                         : vector_at(angular_momentum_, s);
+    energies.kinetic += 0.5 * (mass_[s] * v.squaredNorm() + l.dot(w));
+    energies.gravitational -= mass_[s] * options_.gravity.dot(position(i) - back * v);
+  }
+  // For linear laws the leapfrog rule conserves kinetic energy plus x_n . K x_{n+1}/2, which is
+  // this combination of the energies at the half step and at the steps around it.
+  energies.elastic =
+      2 * elastic_energy(back) - 0.5 * (elastic_energy(0) + elastic_energy(previous_step_));
+  energies.clamp_work = clamp_work_;
+  energies.load_work = load_work_;
+  energies.damping_loss = damping_loss_;
+  return energies;
+}
+
+SectionForces ExplicitDynamics::section_forces(int e) const
+{
+  const int s = element_slot_[e];
+  const BeamConstants<double> beam = beam_constants(lattice_, e, options_.rbf);
+  BeamEnds<double> ends;
+  for (int c = 0; c < 3; ++c) {
+    ends.x1[c] = position_[c][s];
+    ends.x2[c] = position_[c][s + 1];
+  }
+  for (int c = 0; c < 4; ++c) {
+    ends.q1[c] = orientation_[c][s];
+    ends.q2[c] = orientation_[c][s + 1];
+  }
+  const BeamStrains<double> strains = beam_strains(ends, beam);
+  const Triple<double> force = section_force(strains, beam), moment = section_moment(strains, beam);
+  return {force[0], force[1], force[2], moment[0], moment[1], moment[2]};
+}
+
+LatticeState ExplicitDynamics::state() const
+{
+  LatticeState state;
+  for (int i = 0; i < lattice_.n_nodes(); ++i) {
+    state.position.push_back(position(i));
+    state.orientation.push_back(orientation(i));
+    state.velocity.push_back(velocity(i));
+    state.spin.push_back(spin(i));
+    if (!options_.spherical_inertia)
+      state.angular_momentum.push_back(vector_at(angular_momentum_, node_slot_[i]));
+  }
+  state.previous_step = previous_step_;
+  state.clamp_work = clamp_work_;
+  state.load_work = load_work_;
+  state.damping_loss = damping_loss_;
+  return state;
+}
+
+void ExplicitDynamics::set_state(const LatticeState& state)
+{
+  const int n = lattice_.n_nodes();
+  require_size(state.position.size(), n, "position");
+  require_size(state.orientation.size(), n, "orientation");
+  require_size(state.velocity.size(), n, "velocity");
+  require_size(state.spin.size(), n, "spin");
+  if (!options_.spherical_inertia)
+    require_size(state.angular_momentum.size(), n, "angular momentum");
+  for (int s = 0; s < n_slots_; ++s) {
+    const int node = slot_node_[s];
+    const Eigen::Quaterniond& q = state.orientation[node];
+    for (int c = 0; c < 3; ++c) {
+      position_[c][s] = state.position[node][c];
+      velocity_[c][s] = state.velocity[node][c];
+      spin_[c][s] = state.spin[node][c];
+      if (!options_.spherical_inertia) angular_momentum_[c][s] = state.angular_momentum[node][c];
+      orientation_[c + 1][s] = q.vec()[c];
+    }
+    orientation_[0][s] = q.w();
+  }
+  previous_step_ = state.previous_step;
+  clamp_work_ = state.clamp_work;
+  load_work_ = state.load_work;
+  damping_loss_ = state.damping_loss;
+}
+} // namespace interlock::fem
