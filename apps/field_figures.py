@@ -1,7 +1,10 @@
 """Pictures from the fields written for ParaView: the box from the side and the contact force network.
 
-Reads clumps.xdmf, geogrid.xdmf and contacts.xdmf with the HDF5 files that they name. Imported by
-figures.py; needs h5py.
+Reads the series of coupling/field_output.h with the HDF5 files that they name:
+    clumps.xdmf    points: member spheres; fields `radius` [m] and `clump` (number of the stone)
+    geogrid.xdmf   lines: beam elements
+    contacts.xdmf  lines: from centre to centre of what touches; field `force` [N], vector or magnitude
+Imported by figures.py; needs h5py.
 """
 
 import os
@@ -41,11 +44,15 @@ class Series:
         return self.array(self.frames[frame].find("Topology")).reshape(-1, 2)
 
     def attribute(self, frame, name):
-        """One value or row a point or line; None when the file has no field of this name."""
+        """One value or row a point or line. Raises KeyError when the file has no field of this name."""
         for attribute in self.frames[frame].iter("Attribute"):
             if attribute.get("Name") == name:
                 return self.array(attribute)
-        return None
+        raise KeyError(f"no field {name}")
+
+    def frame_at(self, time):
+        """The frame whose time is nearest."""
+        return int(np.argmin([abs(self.time(i) - time) for i in range(len(self))]))
 
     def array(self, element):
         """What `file.h5:/dataset` in an element's DataItem points at."""
@@ -133,12 +140,17 @@ def box_figure(run, path, save):
         scale = draw_stones(axes, clumps, frame, limit)
         extent = [clumps.points(0), clumps.points(last)]
         if geogrid is not None:
-            ribs = min(frame, len(geogrid) - 1)
+            ribs = geogrid.frame_at(clumps.time(frame))
             draw_lines(axes, geogrid.points(ribs), geogrid.lines(ribs), color="#D55E00", linewidth=1.6)
             extent += [geogrid.points(0), geogrid.points(len(geogrid) - 1)]
         dress(axes, np.concatenate(extent), f"rear half of the box at {clumps.time(frame):.3f} s")
     figure.colorbar(scale, ax=panels, label="way of the stone since the first frame [mm]", shrink=0.8)
     save(figure, path)
+
+
+def magnitude(values):
+    """Length of each row of vectors; scalars as they are, without sign."""
+    return np.linalg.norm(values, axis=1) if values.ndim == 2 else np.abs(values)
 
 
 def force_chain_figure(run, path, save):
@@ -147,9 +159,8 @@ def force_chain_figure(run, path, save):
         print(f"Left out {path}: {run} holds no contacts.xdmf with a frame.")
         return
     # The frame with the largest force: arches form and break, and the last frame may fall between.
-    strengths = [np.linalg.norm(np.atleast_2d(contacts.attribute(i, "force")), axis=-1)
-                 if contacts.attribute(i, "force").size else np.zeros(0) for i in range(len(contacts))]
-    frame = int(np.argmax([s.max() if s.size else 0 for s in strengths]))
+    strengths = [magnitude(contacts.attribute(i, "force")) for i in range(len(contacts))]
+    frame = int(np.argmax([strength.max(initial=0) for strength in strengths]))
     if strengths[frame].size == 0:
         print(f"Left out {path}: there is no contact in any frame.")
         return
@@ -163,7 +174,7 @@ def force_chain_figure(run, path, save):
                capstyle="round")
     extent = [points]
     if geogrid is not None:
-        ribs = min(frame, len(geogrid) - 1)
+        ribs = geogrid.frame_at(contacts.time(frame))
         draw_lines(axes, geogrid.points(ribs), geogrid.lines(ribs), color="#D55E00", linewidth=1.6)
         extent.append(geogrid.points(ribs))
     dress(axes, np.concatenate(extent), f"contact forces at {contacts.time(frame):.3f} s, line width in "
