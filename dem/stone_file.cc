@@ -93,13 +93,11 @@ void check_size(const std::string& path, const TriangleMesh& mesh, double length
   const auto fits = [&](double factor) {
     return size * factor >= smallest_stone && size * factor <= largest_stone;
   };
-  std::string hint = "check the length unit";
-  if (fits(1e-3))
-    hint = "one file unit is probably 1/1000 of that, as with millimetres read as metres";
-  if (fits(1e3))
-    hint = "one file unit is probably 1000 times that, as with metres read as millimetres";
+  std::string hint;
+  if (fits(1e-3)) hint = " (it looks like millimetres read as metres)";
+  if (fits(1e3)) hint = " (it looks like metres read as millimetres)";
   refuse(path, "is ", size, " m long with a file unit of ", length_unit, " m, but stones measure ",
-         smallest_stone, " m to ", largest_stone, " m: ", hint, ".");
+         smallest_stone, " m to ", largest_stone, " m: check the length unit", hint, ".");
 }
 
 void check_surface(const std::string& path, const TriangleMesh& mesh)
@@ -134,7 +132,11 @@ TriangleMesh read_stone_mesh(const std::string& path, double length_unit)
   check_file(path);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
-  if (!scene) refuse(path, "cannot be read as a mesh: ", importer.GetErrorString());
+  if (!scene) {
+    std::string reason = importer.GetErrorString();
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    refuse(path, "cannot be read as a mesh (", reason, ").");
+  }
 
   TriangleMesh mesh;
   std::map<Coordinates, int> known;
