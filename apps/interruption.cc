@@ -1,0 +1,29 @@
+#include "apps/interruption.h"
+
+#include <csignal>
+
+namespace interlock::apps
+{
+namespace
+{
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void mark_interruption(const int signal)
+{
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+} // namespace
+
+void catch_interruption()
+{
+  interrupted = 0;
+  std::signal(SIGINT, mark_interruption);
+  std::signal(SIGTERM, mark_interruption);
+}
+
+void throw_if_interrupted()
+{
+  if (interrupted != 0) throw Interrupted();
+}
+} // namespace interlock::apps

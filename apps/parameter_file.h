@@ -1,0 +1,24 @@
+// From a parameter file and the command line to parameters that can be run.
+#pragma once
+
+#include "coupling/pull_out_parameters.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace interlock::apps
+{
+struct RunInput {
+  coupling::PullOutParameters parameters;
+  std::string used; // a complete parameter file of all values, defaults included, paths absolute
+};
+
+// Reads `file` (parameter_scanner.h), then `overrides` ("Section/Entry=value"), and checks
+// everything. Throws InputError that names all errors at once, one full sentence a line: unknown
+// entries with the nearest known name, values outside their range or with a unit typed into them,
+// missing entries, parameters that contradict each other, an experiment that this version cannot
+// run.
+RunInput read_parameter_file(const std::filesystem::path& file,
+                             const std::vector<std::string>& overrides = {});
+} // namespace interlock::apps

@@ -1,0 +1,112 @@
+#include "apps/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace interlock::apps
+{
+namespace
+{
+using Seconds = std::chrono::duration<double>;
+constexpr Seconds bar_interval(0.1);
+constexpr Seconds line_interval(10);
+constexpr int bar_width = 30;
+} // namespace
+
+std::string duration_text(const double seconds)
+{
+  const auto whole = static_cast<long long>(std::llround(std::max(0., seconds)));
+  std::ostringstream text;
+  if (whole < 60)
+    text << whole << " s";
+  else if (whole < 3600)
+    text << whole / 60 << ':' << std::setw(2) << std::setfill('0') << whole % 60 << " min";
+  else
+    text << whole / 3600 << ':' << std::setw(2) << std::setfill('0') << whole % 3600 / 60 << " h";
+  return text.str();
+}
+
+std::string progress_bar(const double fraction, const int width)
+{
+  const int done = static_cast<int>(std::clamp(fraction, 0., 1.) * width);
+  return '[' + std::string(done, '#') + std::string(width - done, '.') + ']';
+}
+
+std::string progress_text(const coupling::Progress& progress, const double steps_per_second,
+                          const double seconds_left)
+{
+  std::ostringstream text;
+  text << progress.stage;
+  if (progress.fraction >= 0)
+    text << ' ' << std::setw(3) << static_cast<int>(100 * std::min(progress.fraction, 1.)) << " %";
+  text << ", " << std::fixed << std::setprecision(3) << progress.simulated_time << " s simulated";
+  if (steps_per_second > 0) text << ", " << std::setprecision(0) << steps_per_second << " steps/s";
+  if (seconds_left >= 0) text << ", " << duration_text(seconds_left) << " left";
+  return text.str();
+}
+
+ProgressDisplay::ProgressDisplay(std::ostream& screen, const bool screen_is_terminal,
+                                 std::ostream& log)
+    : screen_(screen), terminal_(screen_is_terminal), log_(log)
+{
+}
+
+ProgressDisplay::~ProgressDisplay()
+{
+  clear_bar();
+}
+
+void ProgressDisplay::start_stage(const coupling::Progress& progress, const Clock::time_point now)
+{
+  stage_ = progress.stage;
+  stage_start_ = now;
+  steps_at_stage_start_ = progress.steps;
+  fraction_at_stage_start_ = std::max(0., progress.fraction);
+  // The first line of a stage comes after a moment, when its speed is known.
+  last_line_ = now - std::chrono::duration_cast<Clock::duration>(line_interval - Seconds(1));
+}
+
+void ProgressDisplay::show(const coupling::Progress& progress)
+{
+  const auto now = Clock::now();
+  if (progress.stage != stage_) start_stage(progress, now);
+  const bool bar_due = terminal_ && now - last_bar_ > bar_interval;
+  const bool line_due = now - last_line_ > line_interval;
+  if (!bar_due && !line_due) return;
+
+  const double elapsed = Seconds(now - stage_start_).count();
+  const double speed =
+      elapsed > 0 ? static_cast<double>(progress.steps - steps_at_stage_start_) / elapsed : 0;
+  const double done = progress.fraction - fraction_at_stage_start_;
+  const double left = done > 0 ? elapsed * (1 - progress.fraction) / done : -1;
+  const std::string text = progress_text(progress, speed, left);
+  if (line_due) {
+    log_ << text << std::endl;
+    if (!terminal_) screen_ << text << std::endl;
+    last_line_ = now;
+  }
+  if (bar_due) {
+    // Carriage return and `erase to the end of the line`: the bar stays in one place.
+    screen_ << "\r\033[K" << progress_bar(progress.fraction, bar_width) << ' ' << text
+            << std::flush;
+    bar_visible_ = true;
+    last_bar_ = now;
+  }
+}
+
+void ProgressDisplay::message(const std::string& sentence)
+{
+  clear_bar();
+  screen_ << sentence << std::endl;
+  log_ << sentence << std::endl;
+}
+
+void ProgressDisplay::clear_bar()
+{
+  if (bar_visible_) screen_ << "\r\033[K" << std::flush;
+  bar_visible_ = false;
+}
+} // namespace interlock::apps

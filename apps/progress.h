@@ -1,0 +1,52 @@
+// What a run shows while it works: a bar on a terminal, a plain line now and then elsewhere, and
+// the same plain lines in run.log.
+#pragma once
+
+#include "coupling/monitor.h"
+
+#include <chrono>
+#include <iosfwd>
+#include <string>
+
+namespace interlock::apps
+{
+// "pull  45 %, 1.234 s simulated, 52300 steps/s, 1:23 left": parts that nobody can tell are left
+// out (negative fraction, no speed yet, negative seconds left).
+std::string progress_text(const coupling::Progress& progress, double steps_per_second,
+                          double seconds_left);
+
+// "[#####.....]" with `width` places; fraction 0 to 1.
+std::string progress_bar(double fraction, int width);
+
+// "12 s", "1:23 min", "2:05 h".
+std::string duration_text(double seconds);
+
+class ProgressDisplay
+{
+public:
+  // `log` receives every message and a plain line about every 10 s of wall time. Both streams must
+  // outlive the display.
+  ProgressDisplay(std::ostream& screen, bool screen_is_terminal, std::ostream& log);
+  ~ProgressDisplay();
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+  void show(const coupling::Progress& progress);
+  void message(const std::string& sentence);
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void start_stage(const coupling::Progress& progress, Clock::time_point now);
+  void clear_bar();
+
+  std::ostream& screen_;
+  bool terminal_;
+  std::ostream& log_;
+  bool bar_visible_ = false;
+  std::string stage_;
+  Clock::time_point stage_start_, last_bar_, last_line_;
+  std::int64_t steps_at_stage_start_ = 0;
+  double fraction_at_stage_start_ = 0;
+};
+} // namespace interlock::apps
