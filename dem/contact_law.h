@@ -48,18 +48,26 @@ inline void rotate_spring(Vector3& spring, const Vector3& normal, double twist)
   if (length_squared > 0) spring *= std::sqrt(old_length_squared / length_squared);
 }
 
+// What a contact remembers, world frame, of body 1 against body 2. Zero while the contact is open.
+struct ContactHistory {
+  Vector3 spring =
+      Vector3::Zero(); // tangential displacement since it formed, less what slipped [m]
+  Vector3 dashpot =
+      Vector3::Zero(); // dissipative part of the last force: power = dashpot . velocity [N]
+};
+
 // Force on body 1, world frame [N]. `normal` points from body 2 to body 1; `relative_velocity` is
-// that of body 1 against body 2 at the contact point [m/s]; `overlap` > 0 [m]; `reduced_mass`
-// scales the dashpots [kg]. `spring` is the tangential displacement of body 1 against body 2 since
-// the contact formed, less what slipped [m]; it must have been turned by rotate_spring() and is
-// updated over `time_step` [s].
+// that of body 1 against body 2 at the contact point, in the middle of the step that led here
+// [m/s]; `overlap` > 0 [m]; `reduced_mass` scales the dashpots [kg]. history.spring must have been
+// turned by rotate_spring(); the history is advanced over `time_step` [s].
 //
-// Energy: the dashpot dissipates (k overlap - f_n) v_n dt, friction dissipates force times slip,
-// taken with the spring force after the return to the cone.
+// Energy: a leapfrog kick does the work of the mean of the forces at both ends of a step. So
+// dashpots dissipate the mean of their old and new force times the relative motion, friction the
+// mean spring force times the slip, and neither has an error of first order in the step.
 inline Vector3 linear_contact_force(const ContactProperties& pair, double reduced_mass,
                                     double overlap, const Vector3& normal,
                                     const Vector3& relative_velocity, double time_step,
-                                    Vector3& spring, ContactEnergy& energy)
+                                    ContactHistory& history, ContactEnergy& energy)
 {
   const double k_n = pair.normal_stiffness, k_t = pair.tangential_stiffness;
   const double c_n = 2 * pair.damping_ratio * std::sqrt(k_n * reduced_mass);
@@ -68,25 +76,41 @@ inline Vector3 linear_contact_force(const ContactProperties& pair, double reduce
   const double v_n = relative_velocity.dot(normal);
   const double elastic_n = k_n * overlap;
   const double f_n = std::max(0., elastic_n - c_n * v_n);
+  Vector3 dashpot = (elastic_n - f_n) * normal;
+  Vector3 force = f_n * normal;
 
-  const Vector3 v_t = relative_velocity - v_n * normal;
-  const Vector3 trial = spring + time_step * v_t;
-  const Vector3 dashpot = c_t * v_t;
-  Vector3 f_t = -k_t * trial - dashpot;
-  spring = trial;
-  const double limit = pair.friction * f_n, f_t_squared = f_t.squaredNorm();
-  if (f_t_squared > limit * limit) {
-    f_t *= limit / std::sqrt(f_t_squared);
-    // Without friction there is no spring to speak of; otherwise the one that gives the force on
-    // the cone.
-    spring = (k_t > 0 && pair.friction > 0) ? Vector3(-(f_t + dashpot) / k_t) : Vector3::Zero();
-    const Vector3 slip = trial - spring;
-    if (pair.friction > 0) energy.friction += k_t * spring.dot(slip) + time_step * dashpot.dot(v_t);
-  } else
-    energy.damping += time_step * dashpot.dot(v_t);
+  if (pair.friction > 0) {
+    const Vector3 v_t = relative_velocity - v_n * normal;
+    Vector3 dashpot_t = c_t * v_t;
+    const Vector3 trial = history.spring + time_step * v_t;
+    Vector3 spring = trial;
+    Vector3 f_t = -k_t * trial - dashpot_t;
+    const double limit = pair.friction * f_n, f_t_squared = f_t.squaredNorm();
+    if (f_t_squared > limit * limit) {
+      // Sliding: the whole force is friction, and the spring is what holds it.
+      f_t *= limit / std::sqrt(f_t_squared);
+      dashpot_t.setZero();
+      spring = -f_t / k_t;
+      energy.friction += 0.5 * k_t * (history.spring + spring).dot(trial - spring);
+    }
+    history.spring = spring;
+    dashpot += dashpot_t;
+    force += f_t;
+  }
 
-  energy.damping += (elastic_n - f_n) * v_n * time_step;
-  energy.elastic += 0.5 * elastic_n * overlap + 0.5 * k_t * spring.squaredNorm();
-  return f_n * normal + f_t;
+  energy.damping += 0.5 * time_step * (history.dashpot + dashpot).dot(relative_velocity);
+  energy.elastic += 0.5 * elastic_n * overlap + 0.5 * k_t * history.spring.squaredNorm();
+  history.dashpot = dashpot;
+  return force;
+}
+
+// Ends a contact: its last dashpot force fades over the step, and the little that the spring still
+// holds is lost to friction.
+inline void end_contact(const ContactProperties& pair, const Vector3& relative_velocity,
+                        double time_step, ContactHistory& history, ContactEnergy& energy)
+{
+  energy.damping += 0.5 * time_step * history.dashpot.dot(relative_velocity);
+  energy.friction += 0.5 * pair.tangential_stiffness * history.spring.squaredNorm();
+  history = ContactHistory();
 }
 } // namespace interlock::dem

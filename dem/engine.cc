@@ -27,15 +27,6 @@ Overlap wall_overlap(const Vector3& x, double r, const Wall& wall)
   const double depth = r - distance;
   return {depth, d / distance, nearest - 0.5 * depth * d / distance};
 }
-
-// An open contact holds no history; the little that its spring still stored is friction.
-template <class Contact>
-void open_contact(Contact& contact, double tangential_stiffness, ContactEnergy& energy)
-{
-  energy.friction += 0.5 * tangential_stiffness * contact.spring.squaredNorm();
-  contact.spring.setZero();
-  contact.force.setZero();
-}
 } // namespace
 
 Engine::Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on_stone,
@@ -107,54 +98,68 @@ void Engine::compute_forces(double dt)
   n_touching_ = 0;
   largest_overlap_ = 0;
 
-  for (SphereContact& c : lists_.sphere_contacts()) {
-    const Sphere &sa = clumps_.shape_of(c.i).spheres[c.a], &sb = clumps_.shape_of(c.j).spheres[c.b];
-    const Vector3 arm_a = clumps_.rotation[c.i] * sa.centre,
-                  arm_b = clumps_.rotation[c.j] * sb.centre;
-    const Vector3 xa = clumps_.position[c.i] + arm_a, xb = clumps_.position[c.j] + arm_b;
-    const double reach = sa.radius + sb.radius;
-    if ((xa - xb).squaredNorm() >= reach * reach) {
-      open_contact(c, stone_on_stone_.tangential_stiffness, contact_energy_);
-      continue;
-    }
-    const Overlap o = sphere_overlap(xa, sa.radius, xb, sb.radius);
-    const Vector3 ri = o.point - clumps_.position[c.i], rj = o.point - clumps_.position[c.j];
-    const Vector3 relative = clumps_.velocity_at(c.i, ri) - clumps_.velocity_at(c.j, rj);
-    const double reduced_mass =
-        clumps_.mass[c.i] * clumps_.mass[c.j] / (clumps_.mass[c.i] + clumps_.mass[c.j]);
-    rotate_spring(c.spring, o.normal,
-                  0.5 * dt * (clumps_.spin[c.i] + clumps_.spin[c.j]).dot(o.normal));
-    c.force = linear_contact_force(stone_on_stone_, reduced_mass, o.depth, o.normal, relative, dt,
-                                   c.spring, contact_energy_);
-    c.point = o.point;
-    clumps_.force[c.i] += c.force;
-    clumps_.force[c.j] -= c.force;
-    clumps_.torque[c.i] += ri.cross(c.force);
-    clumps_.torque[c.j] -= rj.cross(c.force);
-    ++n_touching_;
-    largest_overlap_ = std::max(largest_overlap_, o.depth);
-  }
-
-  for (WallContact& c : lists_.wall_contacts()) {
-    Wall& wall = walls_[c.wall];
-    const Sphere& sphere = clumps_.shape_of(c.i).spheres[c.a];
-    const Overlap o = wall_overlap(clumps_.position[c.i] + clumps_.rotation[c.i] * sphere.centre,
-                                   sphere.radius, wall);
-    if (o.depth <= 0) {
-      open_contact(c, wall.contact.tangential_stiffness, contact_energy_);
-      continue;
-    }
-    const Vector3 ri = o.point - clumps_.position[c.i];
-    const Vector3 relative = clumps_.velocity_at(c.i, ri) - wall.velocity;
-    rotate_spring(c.spring, o.normal, 0.5 * dt * clumps_.spin[c.i].dot(o.normal));
-    c.force = linear_contact_force(wall.contact, clumps_.mass[c.i], o.depth, o.normal, relative, dt,
-                                   c.spring, contact_energy_);
-    c.point = o.point;
-    clumps_.force[c.i] += c.force;
-    clumps_.torque[c.i] += ri.cross(c.force);
-    wall.force -= c.force;
-  }
+  for (SphereContact& c : lists_.sphere_contacts()) touch(c, dt);
+  for (WallContact& c : lists_.wall_contacts()) touch(c, dt);
   for (const Wall& wall : walls_) wall_work_ -= dt * wall.force.dot(wall.velocity);
+}
+
+void Engine::touch(SphereContact& c, double dt)
+{
+  const Sphere &sa = clumps_.shape_of(c.i).spheres[c.a], &sb = clumps_.shape_of(c.j).spheres[c.b];
+  const Vector3 xa = clumps_.position[c.i] + clumps_.rotation[c.i] * sa.centre;
+  const Vector3 xb = clumps_.position[c.j] + clumps_.rotation[c.j] * sb.centre;
+  const double reach = sa.radius + sb.radius;
+  const bool was_touching = c.touching;
+  c.touching = (xa - xb).squaredNorm() < reach * reach;
+  if (!c.touching && !was_touching) return;
+
+  const Overlap o = sphere_overlap(xa, sa.radius, xb, sb.radius);
+  const Vector3 ri = o.point - clumps_.position[c.i], rj = o.point - clumps_.position[c.j];
+  const Vector3 relative = clumps_.velocity_at(c.i, ri) - clumps_.velocity_at(c.j, rj);
+  if (!c.touching) {
+    end_contact(stone_on_stone_, relative, dt, c.history, contact_energy_);
+    c.force.setZero();
+    return;
+  }
+  const double reduced_mass =
+      clumps_.mass[c.i] * clumps_.mass[c.j] / (clumps_.mass[c.i] + clumps_.mass[c.j]);
+  rotate_spring(c.history.spring, o.normal,
+                0.5 * dt * (clumps_.spin[c.i] + clumps_.spin[c.j]).dot(o.normal));
+  c.force = linear_contact_force(stone_on_stone_, reduced_mass, o.depth, o.normal, relative, dt,
+                                 c.history, contact_energy_);
+  c.point = o.point;
+  clumps_.force[c.i] += c.force;
+  clumps_.force[c.j] -= c.force;
+  clumps_.torque[c.i] += ri.cross(c.force);
+  clumps_.torque[c.j] -= rj.cross(c.force);
+  ++n_touching_;
+  largest_overlap_ = std::max(largest_overlap_, o.depth);
+}
+
+void Engine::touch(WallContact& c, double dt)
+{
+  Wall& wall = walls_[c.wall];
+  const Sphere& sphere = clumps_.shape_of(c.i).spheres[c.a];
+  const Overlap o = wall_overlap(clumps_.position[c.i] + clumps_.rotation[c.i] * sphere.centre,
+                                 sphere.radius, wall);
+  const bool was_touching = c.touching;
+  c.touching = o.depth > 0;
+  if (!c.touching && !was_touching) return;
+
+  const Vector3 ri = o.point - clumps_.position[c.i];
+  const Vector3 relative = clumps_.velocity_at(c.i, ri) - wall.velocity;
+  if (!c.touching) {
+    end_contact(wall.contact, relative, dt, c.history, contact_energy_);
+    c.force.setZero();
+    return;
+  }
+  rotate_spring(c.history.spring, o.normal, 0.5 * dt * clumps_.spin[c.i].dot(o.normal));
+  c.force = linear_contact_force(wall.contact, clumps_.mass[c.i], o.depth, o.normal, relative, dt,
+                                 c.history, contact_energy_);
+  c.point = o.point;
+  clumps_.force[c.i] += c.force;
+  clumps_.torque[c.i] += ri.cross(c.force);
+  wall.force -= c.force;
 }
 
 void Engine::move_walls(double dt)
@@ -188,7 +193,7 @@ double Engine::contact_elastic_energy(const SphereContact& c) const
           .depth;
   if (depth <= 0) return 0;
   return 0.5 * stone_on_stone_.normal_stiffness * depth * depth +
-         0.5 * stone_on_stone_.tangential_stiffness * c.spring.squaredNorm();
+         0.5 * stone_on_stone_.tangential_stiffness * c.history.spring.squaredNorm();
 }
 
 double Engine::contact_elastic_energy(const WallContact& c) const
@@ -199,7 +204,7 @@ double Engine::contact_elastic_energy(const WallContact& c) const
                            .depth;
   if (depth <= 0) return 0;
   return 0.5 * wall.contact.normal_stiffness * depth * depth +
-         0.5 * wall.contact.tangential_stiffness * c.spring.squaredNorm();
+         0.5 * wall.contact.tangential_stiffness * c.history.spring.squaredNorm();
 }
 
 EngineEnergy Engine::energy(double dt) const
@@ -240,12 +245,12 @@ StableStep Engine::stable_step() const
     ++contacts[i];
   };
   for (const SphereContact& c : lists_.sphere_contacts())
-    if (c.force != Vector3::Zero()) {
+    if (c.touching) {
       add(c.i, c.point, stone_on_stone_);
       add(c.j, c.point, stone_on_stone_);
     }
   for (const WallContact& c : lists_.wall_contacts())
-    if (c.force != Vector3::Zero()) add(c.i, c.point, walls_[c.wall].contact);
+    if (c.touching) add(c.i, c.point, walls_[c.wall].contact);
 
   StableStep limit;
   double largest = 0;

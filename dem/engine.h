@@ -96,6 +96,8 @@ public:
   int count_overlaps_brute_force() const;
 
 private:
+  void touch(SphereContact& contact, double dt);
+  void touch(WallContact& contact, double dt);
   double contact_elastic_energy(const SphereContact& contact) const;
   double contact_elastic_energy(const WallContact& contact) const;
   double body_energy(int clump) const;

@@ -27,16 +27,17 @@ auto key(const WallContact& c)
   return std::tie(c.i, c.wall, c.a);
 }
 
-// Carries springs from the old list to the new one; both are sorted by key.
+// Carries the history from the old list to the new one; both are sorted by key.
 template <class Contact>
-void carry_springs(const std::vector<Contact>& old_contacts, std::vector<Contact>& contacts)
+void carry_history(const std::vector<Contact>& old_contacts, std::vector<Contact>& contacts)
 {
   auto old = old_contacts.begin();
   for (Contact& contact : contacts) {
     while (old != old_contacts.end() && key(*old) < key(contact)) ++old;
     if (old == old_contacts.end()) return;
     if (key(*old) == key(contact)) {
-      contact.spring = old->spring;
+      contact.history = old->history;
+      contact.touching = old->touching;
       contact.force = old->force;
       contact.point = old->point;
     }
@@ -206,19 +207,24 @@ void NeighbourLists::build_inner(const Clumps& clumps, const std::vector<Wall>& 
     const Vector3 d = clumps.position[p.i] + clumps.rotation[p.i] * sa.centre -
                       clumps.position[p.j] - clumps.rotation[p.j] * sb.centre;
     const double reach = sa.radius + sb.radius + skin;
-    if (d.squaredNorm() < reach * reach) sphere_contacts_.push_back({p.i, p.j, p.a, p.b});
+    if (d.squaredNorm() >= reach * reach) continue;
+    SphereContact contact;
+    contact.i = p.i, contact.j = p.j, contact.a = p.a, contact.b = p.b;
+    sphere_contacts_.push_back(contact);
   }
-  carry_springs(old_sphere_contacts_, sphere_contacts_);
+  carry_history(old_sphere_contacts_, sphere_contacts_);
 
   old_wall_contacts_.swap(wall_contacts_);
   wall_contacts_.clear();
   for (const WallMember& m : wall_members_) {
     const Vector3 x = clumps.position[m.i] + clumps.member_offset(m.i, m.a);
     const double reach = clumps.shape_of(m.i).spheres[m.a].radius + skin;
-    if ((x - walls[m.wall].nearest_point(x)).squaredNorm() < reach * reach)
-      wall_contacts_.push_back({m.i, m.wall, m.a});
+    if ((x - walls[m.wall].nearest_point(x)).squaredNorm() >= reach * reach) continue;
+    WallContact contact;
+    contact.i = m.i, contact.wall = m.wall, contact.a = m.a;
+    wall_contacts_.push_back(contact);
   }
-  carry_springs(old_wall_contacts_, wall_contacts_);
+  carry_history(old_wall_contacts_, wall_contacts_);
 }
 
 void NeighbourLists::renumber_clumps(const std::vector<int>& new_index)

@@ -15,16 +15,18 @@ namespace interlock::dem
 {
 // One sphere of clump i against one sphere of clump j, i < j.
 struct SphereContact {
-  int i, j, a, b;
-  Vector3 spring = Vector3::Zero(); // tangential history of i against j, world [m]
-  Vector3 force = Vector3::Zero();  // on i, zero when not touching [N]
-  Vector3 point = Vector3::Zero();  // mid-overlap, world [m]
+  int i = 0, j = 0, a = 0, b = 0;
+  ContactHistory history; // of i against j
+  bool touching = false;
+  Vector3 force = Vector3::Zero(); // on i, zero when not touching [N]
+  Vector3 point = Vector3::Zero(); // mid-overlap, world [m]
 };
 
 // One sphere of a clump against a wall.
 struct WallContact {
-  int i, wall, a;
-  Vector3 spring = Vector3::Zero();
+  int i = 0, wall = 0, a = 0;
+  ContactHistory history; // of the clump against the wall
+  bool touching = false;
   Vector3 force = Vector3::Zero(); // on the clump [N]
   Vector3 point = Vector3::Zero();
 };

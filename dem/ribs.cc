@@ -147,7 +147,8 @@ void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs)
       for (const int r : close_ribs) {
         if (rib_proximity(ribs[r], centre, spheres[a].radius).overlap < -skin_) continue;
         if (contacts_.size() == before || key(contacts_.back()) != std::tie(i, a, ribs[r].line)) {
-          RibContact contact{i, a, ribs[r].line};
+          RibContact contact;
+          contact.i = i, contact.a = a, contact.line = ribs[r].line;
           contact.first = contact.last = candidate_ribs_.size();
           contacts_.push_back(contact);
         }
@@ -166,7 +167,8 @@ void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs)
   for (RibContact& c : contacts_) {
     while (old != old_contacts_.end() && key(*old) < key(c)) ++old;
     if (old == old_contacts_.end()) break;
-    if (key(*old) == key(c)) c.spring = old->spring, c.force = old->force, c.rib = old->rib;
+    if (key(*old) == key(c))
+      c.history = old->history, c.force = old->force, c.rib = old->rib, c.overlap = old->overlap;
   }
 }
 
@@ -191,13 +193,8 @@ const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
     }
     if (group.nearest.overlap > 0)
       touching_.push_back(group);
-    else {
-      // What little the spring still holds is lost by friction when the contact opens.
-      energy.friction += 0.5 * contact_.tangential_stiffness * c.spring.squaredNorm();
-      c.spring.setZero();
-      c.force.setZero();
-      c.overlap = 0;
-    }
+    else if (c.overlap > 0)
+      open(group, clumps, ribs, time_step, energy);
     const bool last_of_sphere =
         g + 1 == contacts_.size() || contacts_[g + 1].i != c.i || contacts_[g + 1].a != c.a;
     if (!last_of_sphere) continue;
@@ -209,7 +206,7 @@ const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
 }
 
 // Where two lines cross, their solids share the junction. A sphere on the shared part touches one
-// body, not two: the contact with less overlap is dropped and hands its spring to the other.
+// body, not two: the contact with less overlap is dropped and hands its history to the other.
 void RibContacts::merge_at_junctions(const std::vector<Rib>& ribs)
 {
   for (std::size_t m = 0; m < touching_.size(); ++m)
@@ -222,12 +219,32 @@ void RibContacts::merge_at_junctions(const std::vector<Rib>& ribs)
         continue;
       }
       if (b.nearest.overlap > a.nearest.overlap) std::swap(a, b);
-      if (a.contact->overlap <= 0) a.contact->spring = b.contact->spring;
-      b.contact->spring.setZero();
+      if (a.contact->overlap <= 0) a.contact->history = b.contact->history;
+      b.contact->history = ContactHistory();
       b.contact->force.setZero();
       b.contact->overlap = 0;
       touching_.erase(touching_.begin() + n);
     }
+}
+
+Vector3 RibContacts::relative_velocity(const RibContact& c, const Clumps& clumps,
+                                       const Rib& rib) const
+{
+  const double n1 = 1 - c.xi, n2 = c.xi;
+  const Vector3 rib_spin = n1 * rib.w[0] + n2 * rib.w[1];
+  return clumps.velocity_at(c.i, c.point - clumps.position[c.i]) -
+         (n1 * rib.v[0] + n2 * rib.v[1] + rib_spin.cross(c.arm));
+}
+
+void RibContacts::open(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
+                       double time_step, ContactEnergy& energy)
+{
+  RibContact& c = *group.contact;
+  c.xi = group.nearest.xi;
+  const Vector3 relative = relative_velocity(c, clumps, ribs[group.rib]);
+  end_contact(contact_, relative, time_step, c.history, energy);
+  c.force.setZero();
+  c.overlap = 0;
 }
 
 void RibContacts::touch(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
@@ -244,20 +261,16 @@ void RibContacts::touch(const Group& group, const Clumps& clumps, const std::vec
   c.overlap = p.overlap;
   c.point = p.core + (rib.rounding - 0.5 * p.overlap) * p.normal;
   c.arm = c.point - p.centre;
-  const Vector3 clump_arm = c.point - clumps.position[c.i];
-  const Vector3 rib_spin = n1 * rib.w[0] + n2 * rib.w[1];
-  const Vector3 rib_velocity = n1 * rib.v[0] + n2 * rib.v[1] + rib_spin.cross(c.arm);
-  const Vector3 relative = clumps.velocity_at(c.i, clump_arm) - rib_velocity;
 
   // Dashpots act on the reduced mass: the rib is far lighter than the stone.
   const double reduced_mass =
       1 / (1 / clumps.mass[c.i] + n1 * n1 * rib.inverse_mass[0] + n2 * n2 * rib.inverse_mass[1]);
-  const double twist = 0.5 * (clumps.spin[c.i] + rib_spin).dot(p.normal) * time_step;
-  rotate_spring(c.spring, p.normal, twist);
-  c.force = linear_contact_force(contact_, reduced_mass, p.overlap, p.normal, relative, time_step,
-                                 c.spring, energy);
+  const Vector3 spin = 0.5 * (clumps.spin[c.i] + n1 * rib.w[0] + n2 * rib.w[1]);
+  rotate_spring(c.history.spring, p.normal, spin.dot(p.normal) * time_step);
+  c.force = linear_contact_force(contact_, reduced_mass, p.overlap, p.normal,
+                                 relative_velocity(c, clumps, rib), time_step, c.history, energy);
   force[c.i] += c.force;
-  torque[c.i] += clump_arm.cross(c.force);
+  torque[c.i] += (c.point - clumps.position[c.i]).cross(c.force);
   wrenches_.push_back({group.rib, p.xi, -c.force, -c.arm.cross(c.force)});
 }
 } // namespace interlock::dem

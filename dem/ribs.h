@@ -34,14 +34,14 @@ struct RibWrench {
 
 // One member sphere of a clump against one line of ribs.
 struct RibContact {
-  int i, a, line;
-  int first = 0, last = 0;          // range of its candidate ribs in the list
-  Vector3 spring = Vector3::Zero(); // tangential history of the clump against the rib [m]
-  Vector3 force = Vector3::Zero();  // on the clump, zero when not touching [N]
-  Vector3 point = Vector3::Zero();  // mid-overlap, world [m]
-  Vector3 arm = Vector3::Zero();    // from the centre line to the point [m]
-  double overlap = 0;               // [m]
-  int rib = -1;                     // touched last
+  int i = 0, a = 0, line = 0;
+  int first = 0, last = 0;         // range of its candidate ribs in the list
+  ContactHistory history;          // of the clump against the rib
+  Vector3 force = Vector3::Zero(); // on the clump, zero when not touching [N]
+  Vector3 point = Vector3::Zero(); // mid-overlap, world [m]
+  Vector3 arm = Vector3::Zero();   // from the centre line to the point [m]
+  double overlap = 0;              // [m]
+  int rib = -1;                    // touched last
   double xi = 0;
 };
 
@@ -96,6 +96,10 @@ private:
   void touch(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
              double time_step, std::vector<Vector3>& force, std::vector<Vector3>& torque,
              ContactEnergy& energy);
+  void open(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
+            double time_step, ContactEnergy& energy);
+  // Of the clump against the rib at the contact point [m/s].
+  Vector3 relative_velocity(const RibContact& contact, const Clumps& clumps, const Rib& rib) const;
   void merge_at_junctions(const std::vector<Rib>& ribs);
 
   ContactProperties contact_;

@@ -1,0 +1,47 @@
+// The energy ledger: where every joule of a run went. It closes when what was put in equals what is
+// stored plus what was dissipated.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace interlock::coupling
+{
+// All in J. "Since the start" unless it says now.
+struct EnergyLedger {
+  double kinetic_stones = 0;   // now
+  double kinetic_geogrid = 0;  // now
+  double gravitational = 0;    // now, stones and geogrid, zero at the floor
+  double elastic_contacts = 0; // now, springs of all contacts
+  double elastic_geogrid = 0;  // now, strain energy of the beams
+  double friction = 0;         // dissipated by sliding
+  double contact_damping = 0;  // dissipated by contact dashpots
+  double geogrid_damping = 0;  // dissipated by mass damping of the geogrid
+  double clamp_work = 0;       // done by the clamp on the geogrid
+  double wall_work = 0;        // done by moving walls on stones
+  double inserted = 0;         // of stones and geogrid when they came in, less what was removed
+  // Both sides of the interface: what ribs did to stones, what stones did to the lattice. Their sum
+  // is minus what the contacts between them store and dissipate.
+  double interface_work_on_stones = 0;
+  double interface_work_on_geogrid = 0;
+  double interface_stored_and_lost = 0;
+
+  // Stored + dissipated - put in; zero for exact arithmetic and an exact integrator.
+  double residual() const;
+  // The work that was put in: clamp, walls, and the fall of what was inserted.
+  double work_put_in() const;
+  // |residual| / work put in; 0 before anything was put in.
+  double relative_error() const;
+  double interface_residual() const
+  {
+    return interface_work_on_stones + interface_work_on_geogrid + interface_stored_and_lost;
+  }
+
+  // Names and values in the order above, for tables and files.
+  std::vector<std::pair<std::string, double>> entries() const;
+};
+
+// Entry by entry `end` minus `begin`: the ledger of one stage. Amounts "now" become changes.
+EnergyLedger difference(const EnergyLedger& end, const EnergyLedger& begin);
+} // namespace interlock::coupling

@@ -1,0 +1,115 @@
+#include "coupling/geogrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlock::coupling
+{
+namespace
+{
+fem::BiaxialLayout biaxial_layout(const GeogridParameters& p, const dem::Vector3& front)
+{
+  fem::RibSection section;
+  section.width = p.rib_width;
+  section.thickness = p.rib_thickness;
+  section.youngs_modulus = p.youngs_modulus;
+  section.poisson_ratio = p.poisson_ratio;
+  section.density = p.density;
+
+  fem::BiaxialLayout layout;
+  layout.apertures_along = p.apertures_along;
+  layout.apertures_across = p.apertures_across;
+  layout.pitch_along = p.pitch_along;
+  layout.pitch_across = p.pitch_across;
+  layout.elements_per_rib = p.elements_per_rib;
+  layout.section_along = layout.section_across = section;
+  layout.origin = front;
+  return layout;
+}
+} // namespace
+
+Geogrid::Geogrid(const GeogridParameters& p, const dem::Vector3& front, double gravity)
+    : rigid_(p.rigid), lattice_(std::make_unique<fem::Lattice>(biaxial_layout(p, front)))
+{
+  fem::DynamicsOptions options;
+  options.gravity = {0, 0, -gravity};
+  options.mass_damping = p.mass_damping;
+  dynamics_ = std::make_unique<fem::ExplicitDynamics>(*lattice_, options);
+  if (rigid_)
+    dynamics_->clamp_all();
+  else
+    dynamics_->clamp(lattice_->front_edge_nodes());
+
+  const std::vector<int> front_nodes = lattice_->front_edge_nodes();
+  ribs_.resize(lattice_->n_elements());
+  for (int r = 0; r < lattice_->n_elements(); ++r) {
+    const fem::LatticeElement& element = lattice_->element(r);
+    dem::Rib& rib = ribs_[r];
+    rib.line = element.line;
+    rib.half_width = 0.5 * p.rib_width;
+    rib.half_thickness = 0.5 * p.rib_thickness;
+    rib.rounding = p.edge_rounding;
+    for (int end : {0, 1}) {
+      const int node = element.node[end];
+      const bool prescribed =
+          rigid_ || std::find(front_nodes.begin(), front_nodes.end(), node) != front_nodes.end();
+      rib.inverse_mass[end] = prescribed ? 0 : 1 / dynamics_->mass(node);
+    }
+  }
+  refresh_all_ribs();
+}
+
+void Geogrid::refresh_rib(int r)
+{
+  dem::Rib& rib = ribs_[r];
+  for (int end : {0, 1}) {
+    rib.x[end] = dynamics_->end_position(r, end);
+    rib.v[end] = dynamics_->velocity_at(r, end);
+    rib.w[end] = dynamics_->spin_at(r, end);
+  }
+  rib.width_axis = dynamics_->mid_frame(r) * dem::Vector3::UnitY();
+}
+
+void Geogrid::refresh_ribs(const std::vector<int>& which)
+{
+  for (const int r : which) refresh_rib(r);
+}
+
+void Geogrid::refresh_all_ribs()
+{
+  for (int r = 0; r < static_cast<int>(ribs_.size()); ++r) refresh_rib(r);
+}
+
+void Geogrid::apply(const std::vector<dem::RibWrench>& wrenches)
+{
+  dynamics_->clear_loads();
+  for (const dem::RibWrench& w : wrenches) dynamics_->add_load(w.rib, w.xi, w.force, w.moment);
+}
+
+int Geogrid::required_substeps(double dt, const dem::RibContacts& contacts) const
+{
+  if (rigid_) return 1;
+  const dem::ContactProperties& pair = contacts.properties();
+  std::vector<double> rate(lattice_->n_nodes(), 0.); // omega^2 of the contacts at a node [1/s2]
+  for (const dem::RibContact& c : contacts.contacts()) {
+    if (c.overlap <= 0) continue;
+    const std::array<int, 2>& node = lattice_->element(c.rib).node;
+    const double weight[2] = {1 - c.xi, c.xi};
+    const dem::Vector3 along = c.force.norm() > 0 ? c.force.normalized() : dem::Vector3::UnitZ();
+    const double turning = c.arm.cross(along).squaredNorm(), sliding = c.arm.squaredNorm();
+    double own = 0;
+    for (int end : {0, 1}) {
+      const double m = dynamics_->mass(node[end]), j = dynamics_->inertia(node[end]);
+      const double normal = pair.normal_stiffness * (1 / m + turning / j);
+      const double tangential = pair.tangential_stiffness * (1 / m + sliding / j);
+      own += weight[end] * weight[end] * std::max(normal, tangential);
+    }
+    for (int end : {0, 1}) rate[node[end]] += own * weight[end];
+  }
+  const double beam = 2 / dynamics_->stable_step();
+  const double fastest = *std::max_element(rate.begin(), rate.end());
+  const double z = pair.damping_ratio;
+  const double stable = 2 / std::sqrt(beam * beam + fastest) * (std::sqrt(1 + z * z) - z);
+  return std::max(2, static_cast<int>(std::ceil(dt / (0.8 * stable))));
+}
+} // namespace interlock::coupling

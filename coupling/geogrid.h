@@ -1,0 +1,50 @@
+// The geogrid in the coupled loop: the beam lattice, its ribs as dem sees them, and its clamp.
+#pragma once
+
+#include "coupling/pull_out_parameters.h"
+#include "dem/ribs.h"
+#include "fem/explicit_dynamics.h"
+
+#include <memory>
+
+namespace interlock::coupling
+{
+// Owns the lattice and its motion. Rib r of dem is element r of fem: that is the whole map between
+// them.
+class Geogrid
+{
+public:
+  // `front` is the middle of the front transverse rib, the one that the clamp holds; the lattice
+  // lies flat behind it, along +x [m].
+  Geogrid(const GeogridParameters& parameters, const dem::Vector3& front, double gravity);
+
+  const fem::Lattice& lattice() const { return *lattice_; }
+  fem::ExplicitDynamics& dynamics() { return *dynamics_; }
+  const fem::ExplicitDynamics& dynamics() const { return *dynamics_; }
+  const std::vector<dem::Rib>& ribs() const { return ribs_; }
+  bool rigid() const { return rigid_; }
+
+  // Copies the lattice's motion to the ribs listed, or to all.
+  void refresh_ribs(const std::vector<int>& which);
+  void refresh_all_ribs();
+
+  // Puts wrenches of stones on the lattice, in their order.
+  void apply(const std::vector<dem::RibWrench>& wrenches);
+
+  // Number of equal sub-steps in a step `dt` that keeps beams and the contacts of `contacts`
+  // stable: 1/h^2 = 1/h_beam^2 + the largest sum, over the contacts at one node, of k N^2 (1/m +
+  // arm^2/J) / 4, with a margin of 0.8 and the dashpot's factor sqrt(1 + z^2) - z. At least 2; 1
+  // for a rigid geogrid.
+  int required_substeps(double dt, const dem::RibContacts& contacts) const;
+
+  double mass() const { return lattice_->mass(); } // [kg]
+
+private:
+  void refresh_rib(int r);
+
+  bool rigid_;
+  std::unique_ptr<fem::Lattice> lattice_;
+  std::unique_ptr<fem::ExplicitDynamics> dynamics_;
+  std::vector<dem::Rib> ribs_;
+};
+} // namespace interlock::coupling

@@ -1,0 +1,188 @@
+// The last stage of the pull-out experiment and its results.
+#include "coupling/pull_out.h"
+#include "coupling/state_hash.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace interlock::coupling
+{
+namespace
+{
+std::string sentence(const char* format, double a, double b)
+{
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, a, b);
+  return buffer;
+}
+
+std::vector<std::string> history_columns()
+{
+  std::vector<std::string> columns = {"time [s]",
+                                      "displacement [m]",
+                                      "pull_force [N]",
+                                      "pull_force_filtered [N]",
+                                      "rear_displacement [m]",
+                                      "largest_axial_force [N]",
+                                      "stone_contacts [-]",
+                                      "rib_contacts [-]",
+                                      "largest_overlap [m]",
+                                      "substeps [-]"};
+  for (const auto& entry : EnergyLedger().entries())
+    columns.push_back("energy_" + entry.first + " [J]");
+  columns.push_back("energy_relative_error [-]");
+  return columns;
+}
+
+// Mean of the last values that lie within `window` of the last position.
+double mean_over_window(const std::vector<double>& position, const std::vector<double>& value,
+                        double window)
+{
+  double sum = 0;
+  int n = 0;
+  for (std::size_t k = value.size(); k-- > 0 && position.back() - position[k] <= window;) {
+    sum += value[k];
+    ++n;
+  }
+  return sum / n;
+}
+} // namespace
+
+// Speed of the clamp: half a cosine from rest to full speed, then constant. A start with a jump
+// would send a wave through the ribs.
+void PullOut::pull(const std::filesystem::path& output)
+{
+  begin_stage("pull");
+  const PullParameters& p = parameters_.pull;
+  const double duration = p.distance / p.speed + 0.5 * p.ramp_time;
+  History history(output / "history.csv", history_columns());
+  const int n_records = parameters_.output.records, n_frames = parameters_.output.field_frames;
+  int next_record = 0, next_frame = 0;
+  double displacement = 0;
+  const double start = time_;
+  while (true) {
+    const double elapsed = time_ - start;
+    const double progress = displacement / p.distance;
+    const bool over = displacement >= p.distance;
+    const bool record_now = over || progress * n_records >= next_record;
+    step(progress, record_now ? &ledger_ : nullptr);
+    largest_overlap_ = std::max(largest_overlap_, engine_->largest_overlap());
+    impulse_ -= loop_->clamp_force().x() * dt_;
+    impulse_time_ += dt_;
+    if (record_now) {
+      if (next_record == 0) ledger_at_pull_ = ledger_;
+      record(history, displacement);
+      ++next_record;
+    }
+    if (n_frames > 0 && (over || progress * n_frames >= next_frame)) {
+      frames_->write(time_, *engine_, *loop_);
+      ++next_frame;
+    }
+    if (over) break;
+    const double ramp =
+        elapsed < p.ramp_time ? 0.5 * (1 - std::cos(M_PI * elapsed / p.ramp_time)) : 1;
+    clamp_velocity_ = {-p.speed * ramp, 0, 0};
+    displacement += p.speed * ramp * dt_;
+    if (elapsed > 2 * duration) throw std::runtime_error("The pull did not come to its end.");
+  }
+  end_stage(sentence("%.1f mm, pull force at the end %.0f N", 1e3 * displacement,
+                     mean_over_window(record_displacements_, record_forces_, 1e-3)));
+}
+
+void PullOut::record(History& history, double displacement)
+{
+  const fem::ExplicitDynamics& dynamics = geogrid_->dynamics();
+  const fem::Lattice& lattice = dynamics.lattice();
+  record_displacements_.push_back(displacement);
+  record_forces_.push_back(impulse_ / impulse_time_);
+  impulse_ = impulse_time_ = 0;
+  if (!std::isfinite(record_forces_.back()))
+    throw std::runtime_error(sentence("The simulation became unstable at t = %.6f s (step %.3g s); "
+                                      "lower Time/Safety factor.",
+                                      time_, dt_));
+
+  double rear = 0, rear_x = -1e300, axial = 0;
+  for (int node = 0; node < lattice.n_nodes(); ++node)
+    rear_x = std::max(rear_x, lattice.reference_position(node).x());
+  int n_rear = 0;
+  for (int node = 0; node < lattice.n_nodes(); ++node)
+    if (lattice.reference_position(node).x() > rear_x - 1e-6) {
+      rear += lattice.reference_position(node).x() - dynamics.position(node).x();
+      ++n_rear;
+    }
+  for (int e = 0; e < lattice.n_elements(); ++e)
+    axial = std::max(axial, std::abs(dynamics.section_forces(e).axial));
+  const auto& rib_contacts = loop_->rib_contacts().contacts();
+  const auto touching = std::count_if(rib_contacts.begin(), rib_contacts.end(),
+                                      [](const dem::RibContact& c) { return c.overlap > 0; });
+
+  std::vector<double> row = {time_,
+                             displacement,
+                             record_forces_.back(),
+                             mean_over_window(record_displacements_, record_forces_, 1e-3),
+                             rear / n_rear,
+                             axial,
+                             static_cast<double>(engine_->n_touching_spheres()),
+                             static_cast<double>(touching),
+                             engine_->largest_overlap(),
+                             static_cast<double>(loop_->substeps())};
+  for (const auto& entry : ledger_.entries()) row.push_back(entry.second);
+  row.push_back(ledger_.relative_error());
+  history.add({row.begin(), row.end()});
+}
+
+void PullOut::collect_results()
+{
+  const dem::Clumps& clumps = engine_->clumps();
+  const BoxParameters& box = parameters_.box;
+  Summary& s = summary_;
+  s.experiment = "pull-out";
+  s.seed = parameters_.filling.seed;
+  s.clumps = clumps.size();
+  s.spheres = clumps.n_spheres();
+  s.time_step = dt_;
+  s.steps = steps_;
+  s.simulated_time = time_;
+  s.wall_time = std::chrono::duration<double>(Clock::now() - run_start_).count();
+  s.contacts = engine_->n_touching_spheres();
+  s.state_hash = state_hash(clumps, &geogrid_->dynamics());
+
+  for (const auto& [name, value] : ledger_.entries()) s.energy[name + "_J"] = value;
+  const EnergyLedger pull = difference(ledger_, ledger_at_pull_);
+  s.energy["residual_J"] = ledger_.residual();
+  s.energy["work_put_in_J"] = ledger_.work_put_in();
+  s.energy["relative_error"] = ledger_.relative_error();
+  s.energy["pull_clamp_work_J"] = pull.clamp_work;
+  s.energy["pull_residual_J"] = pull.residual();
+  s.energy["pull_relative_error"] =
+      pull.clamp_work != 0 ? std::abs(pull.residual() / pull.clamp_work) : 0;
+
+  const double mass = filling_->mass_in_box(), surface = filling_->surface_height();
+  const auto peak = std::max_element(record_forces_.begin(), record_forces_.end());
+  s.results["rigid"] = parameters_.geogrid.rigid;
+  s.results["placement"] = parameters_.geogrid.placement;
+  s.results["mass_in_box_kg"] = mass;
+  s.results["mass_above_geogrid_kg"] = filling_->mass_above(geogrid_height_);
+  s.results["mean_surface_height_m"] = surface;
+  s.results["bulk_density_kg_per_m3"] = mass / (box.length * box.width * surface);
+  s.results["mean_sphere_radius_m"] = mean_sphere_radius_;
+  s.results["largest_overlap_m"] = largest_overlap_;
+  s.results["largest_overlap_over_mean_sphere_radius"] = largest_overlap_ / mean_sphere_radius_;
+  s.results["surcharge_N"] = parameters_.surcharge.force;
+  s.results["pull_speed_m_per_s"] = parameters_.pull.speed;
+  s.results["pull_distance_m"] = record_displacements_.back();
+  s.results["pull_force_at_end_N"] = mean_over_window(record_displacements_, record_forces_, 1e-3);
+  s.results["peak_pull_force_N"] = *peak;
+  s.results["displacement_at_peak_m"] = record_displacements_[peak - record_forces_.begin()];
+  s.results["substeps"] = loop_->substeps();
+
+  const dem::StableStep live = engine_->stable_step();
+  if (dt_ > live.step)
+    warn(sentence("The time step of %.3g s is above the live stable step of %.3g s.", dt_,
+                  live.step));
+  if (ledger_.relative_error() > 0.01)
+    warn(sentence("The energy ledger leaves its bound: error %.2g of the work put in, bound %.2g.",
+                  ledger_.relative_error(), 0.01));
+}
+} // namespace interlock::coupling

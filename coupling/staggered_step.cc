@@ -1,0 +1,107 @@
+#include "coupling/staggered_step.h"
+
+namespace interlock::coupling
+{
+StaggeredStep::StaggeredStep(dem::Engine& engine, const dem::ContactProperties& stone_on_rib)
+    : engine_(engine), rib_contacts_(stone_on_rib)
+{
+}
+
+void StaggeredStep::place_geogrid(Geogrid& geogrid)
+{
+  geogrid_ = &geogrid;
+  rib_contacts_.clear();
+  const fem::LatticeEnergies e = geogrid.dynamics().energies();
+  geogrid_inserted_ = e.kinetic + e.elastic + e.gravitational;
+}
+
+void StaggeredStep::remove_clumps(const std::vector<bool>& remove)
+{
+  rib_contacts_.renumber_clumps(engine_.remove_clumps(remove));
+}
+
+void StaggeredStep::advance(double dt, const dem::Vector3& clamp_velocity, EnergyLedger* ledger)
+{
+  dem::Clumps& clumps = engine_.clumps();
+  engine_.compute_forces(dt);
+  if (ledger) book(*ledger, dt);
+
+  near_rib_.assign(clumps.size(), false);
+  if (geogrid_) {
+    geogrid_->refresh_all_ribs();
+    rib_contacts_.update_list(clumps, geogrid_->ribs(), dt);
+    for (const int i : rib_contacts_.near_clumps()) near_rib_[i] = true;
+  }
+  for (int i = 0; i < clumps.size(); ++i) {
+    engine_.kick(i, dt);
+    if (!near_rib_[i]) clumps.drift(i, dt);
+  }
+  if (geogrid_) {
+    // The number of sub-steps only grows, so that velocities stay centred between equal steps.
+    substeps_ = std::max(substeps_, geogrid_->required_substeps(dt, rib_contacts_));
+    rib_force_.resize(clumps.size());
+    rib_torque_.resize(clumps.size());
+    clamp_force_.setZero();
+    for (int s = 0; s < substeps_; ++s) substep(dt / substeps_, clamp_velocity);
+    clamp_force_ /= substeps_;
+  }
+  engine_.move_walls(dt);
+}
+
+void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
+{
+  dem::Clumps& clumps = engine_.clumps();
+  const std::vector<int>& near = rib_contacts_.near_clumps();
+  for (const int i : near) {
+    rib_force_[i].setZero();
+    rib_torque_[i].setZero();
+  }
+  geogrid_->refresh_ribs(rib_contacts_.near_ribs());
+  geogrid_->apply(
+      rib_contacts_.evaluate(clumps, geogrid_->ribs(), h, rib_force_, rib_torque_, rib_energy_));
+
+  for (const int i : near) {
+    if (rib_force_[i] != dem::Vector3::Zero()) {
+      // Work of the kick: force times the mean of the velocities before and after it.
+      const dem::Vector3 v = clumps.velocity[i], w = clumps.spin_of(i, clumps.angular_momentum[i]);
+      clumps.kick(i, h, rib_force_[i], rib_torque_[i]);
+      rib_work_on_stones_ +=
+          0.5 * h *
+          (rib_force_[i].dot(v + clumps.velocity[i]) + rib_torque_[i].dot(w + clumps.spin[i]));
+    }
+    clumps.drift(i, h);
+  }
+  geogrid_->dynamics().set_clamp_velocity(clamp_velocity);
+  geogrid_->dynamics().step(h);
+  clamp_force_ += geogrid_->dynamics().clamp_reaction();
+}
+
+void StaggeredStep::book(EnergyLedger& ledger, double dt) const
+{
+  ledger = EnergyLedger();
+  const dem::EngineEnergy stones = engine_.energy(dt);
+  ledger.kinetic_stones = stones.kinetic;
+  ledger.gravitational = stones.gravitational;
+  ledger.elastic_contacts = stones.contact.elastic;
+  ledger.friction = stones.contact.friction;
+  ledger.contact_damping = stones.contact.damping;
+  ledger.wall_work = stones.wall_work;
+  ledger.inserted = stones.inserted;
+  if (!geogrid_) return;
+
+  ledger.elastic_contacts += rib_energy_.elastic;
+  ledger.friction += rib_energy_.friction;
+  ledger.contact_damping += rib_energy_.damping;
+  ledger.interface_work_on_stones = rib_work_on_stones_;
+  ledger.interface_stored_and_lost =
+      rib_energy_.elastic + rib_energy_.friction + rib_energy_.damping;
+  const fem::LatticeEnergies lattice = geogrid_->dynamics().energies();
+  ledger.kinetic_geogrid = lattice.kinetic;
+  ledger.gravitational += lattice.gravitational;
+  ledger.elastic_geogrid = lattice.elastic;
+  ledger.geogrid_damping = lattice.damping_loss;
+  ledger.clamp_work = lattice.clamp_work;
+  ledger.interface_work_on_geogrid = lattice.load_work;
+  ledger.inserted += geogrid_inserted_;
+}
+} // namespace interlock::coupling
