@@ -38,7 +38,8 @@ ExplicitDynamics::ExplicitDynamics(const Lattice& lattice, const DynamicsOptions
   size_lanes();
   fill_beam_constants();
   fill_node_constants();
-  for (int i = 0; i < lattice.n_nodes(); ++i) put_node(i, position_, lattice.reference_position(i));
+  for (int s = 0; s < n_slots_; ++s)
+    for (int c = 0; c < 3; ++c) position_[c][s] = lattice_.reference_position(slot_node_[s])[c];
 }
 
 void ExplicitDynamics::number_slots()
@@ -113,14 +114,6 @@ void ExplicitDynamics::fill_node_constants()
   }
 }
 
-void ExplicitDynamics::put_node(int node, Lanes3& lanes, const Eigen::Vector3d& value)
-{
-  for (int s = node_slot_[node]; s < n_slots_; ++s) {
-    if (slot_node_[s] != node) continue;
-    for (int c = 0; c < 3; ++c) lanes[c][s] = value[c];
-  }
-}
-
 void ExplicitDynamics::clear_loads()
 {
   for (int c = 0; c < 3; ++c) {
@@ -191,19 +184,9 @@ LatticeEnergies ExplicitDynamics::energies() const
 SectionForces ExplicitDynamics::section_forces(int e) const
 {
   const int s = element_slot_[e];
-  const BeamConstants<double> beam = beam_constants(lattice_, e, options_.rbf);
-  BeamEnds<double> ends;
-  for (int c = 0; c < 3; ++c) {
-    ends.x1[c] = position_[c][s];
-    ends.x2[c] = position_[c][s + 1];
-  }
-  for (int c = 0; c < 4; ++c) {
-    ends.q1[c] = orientation_[c][s];
-    ends.q2[c] = orientation_[c][s + 1];
-  }
-  const BeamStrains<double> strains = beam_strains(ends, beam);
-  const Triple<double> force = section_force(strains, beam), moment = section_moment(strains, beam);
-  return {force[0], force[1], force[2], moment[0], moment[1], moment[2]};
+  return fem::section_forces(beam_constants(lattice_, e, options_.rbf),
+                             {vector_at(position_, s), vector_at(position_, s + 1)},
+                             {quaternion_at(s), quaternion_at(s + 1)});
 }
 
 LatticeState ExplicitDynamics::state() const

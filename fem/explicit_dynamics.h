@@ -4,6 +4,7 @@
 
 #include "fem/lattice.h"
 #include "fem/lumped_inertia.h"
+#include "fem/section_forces.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -48,12 +49,6 @@ struct LatticeState {
   double clamp_work = 0, load_work = 0, damping_loss = 0; // [J]
 };
 
-// Internal section forces of an element in its mid frame: tension positive, V along e2 and e3 [N],
-// torque about e1, bending moments about e2 and e3 [N m].
-struct SectionForces {
-  double axial, shear_2, shear_3, torque, moment_2, moment_3;
-};
-
 // Steps the lattice. Each step takes the loads and the clamp velocity that were set before it. All
 // vectors are in the world frame. Accessors give positions at the present time t and velocities at
 // t - h/2. Sums run in an order fixed by the lattice, so equal input gives equal digits.
@@ -64,7 +59,7 @@ struct SectionForces {
 class ExplicitDynamics
 {
 public:
-  // Starts in the unloaded state at rest. The lattice must outlive this object.
+  // Starts in the unloaded state at rest. Keeps its own copy of the lattice.
   ExplicitDynamics(const Lattice& lattice, const DynamicsOptions& options);
 
   const Lattice& lattice() const { return lattice_; }
@@ -145,6 +140,7 @@ public:
   LatticeEnergies energies() const;
   // Force of mass damping on all free nodes in the last step [N].
   Eigen::Vector3d damping_force() const { return damping_force_; }
+  // Internal forces of an element for output, in its mid frame.
   SectionForces section_forces(int e) const;
 
   LatticeState state() const;
@@ -175,7 +171,6 @@ private:
   void size_lanes();
   void fill_beam_constants();
   void fill_node_constants();
-  void put_node(int node, Lanes3& lanes, const Eigen::Vector3d& value);
 
   void compute_element_loads();
   void sum_at_slots(bool with_elements);
@@ -183,7 +178,7 @@ private:
   template <bool spherical> void update_nodes(double kick, double h);
   double elastic_energy(double time_back) const;
 
-  const Lattice& lattice_;
+  Lattice lattice_;
   DynamicsOptions options_;
   std::vector<NodeInertia> nodes_;
   std::vector<double> smallest_inertia_;
