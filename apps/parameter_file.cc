@@ -32,22 +32,32 @@ const ParameterEntry* find_entry(const ParameterTable& table, const std::string&
   return found == entries.end() ? nullptr : &*found;
 }
 
-// An entry of the same name in another section comes before one of a similar spelling.
-std::string explain_unknown(const ParameterTable& table, const Assignment& assignment)
+// The entry that is probably meant: one of the same name in another section, a similar name in this
+// section, or, where there is no such section, a similar section and name. Empty when none is near.
+std::string nearest_entry(const ParameterTable& table, const Assignment& assignment)
 {
   std::vector<std::string> keys, siblings;
-  std::string suggestion;
   for (const ParameterEntry& entry : table.entries()) {
+    if (entry.name == assignment.name) return entry.key();
     keys.push_back(entry.key());
-    if (entry.section == assignment.section) siblings.push_back('"' + entry.name + '"');
-    if (entry.name == assignment.name) suggestion = entry.key();
+    if (entry.section == assignment.section) siblings.push_back(entry.name);
   }
-  if (suggestion.empty()) suggestion = nearest_name(assignment.key(), keys);
+  if (siblings.empty()) return nearest_name(assignment.key(), keys);
+  Assignment nearest = assignment;
+  nearest.name = nearest_name(assignment.name, siblings);
+  return nearest.name.empty() ? "" : nearest.key();
+}
+
+std::string explain_unknown(const ParameterTable& table, const Assignment& assignment)
+{
   const std::string start = "there is no entry \"" + assignment.key() + "\"";
-  if (!suggestion.empty()) return start + "; the nearest known one is \"" + suggestion + "\".";
-  if (!siblings.empty())
-    return start + "; this section has " + boost::algorithm::join(siblings, ", ") + ".";
-  return start + ", nor a section of this name.";
+  const std::string nearest = nearest_entry(table, assignment);
+  if (!nearest.empty()) return start + "; the nearest known one is \"" + nearest + "\".";
+  std::vector<std::string> siblings;
+  for (const ParameterEntry& entry : table.entries())
+    if (entry.section == assignment.section) siblings.push_back('"' + entry.name + '"');
+  if (siblings.empty()) return start + ", nor a section of this name.";
+  return start + "; this section has " + boost::algorithm::join(siblings, ", ") + ".";
 }
 
 // Later assignments win, those of the command line over those of the file.

@@ -36,10 +36,8 @@ public:
   void scan()
   {
     std::ifstream stream(file_);
-    if (fs::is_directory(file_) || !stream) {
-      result_.errors.push_back("The parameter file \"" + file_.string() + "\" cannot be read.");
-      return;
-    }
+    if (fs::is_directory(file_) || !stream)
+      throw InputError("The parameter file \"" + file_.string() + "\" cannot be read.");
     std::string line;
     while (std::getline(stream, line)) {
       ++line_number_;

@@ -6,6 +6,7 @@
 #include "apps/progress.h"
 #include "apps/report_command.h"
 #include "coupling/atomic_file.h"
+#include "coupling/pull_out.h"
 #include "coupling/summary.h"
 
 #include <fstream>
@@ -67,15 +68,19 @@ std::string closing_text(const coupling::Summary& summary, const fs::path& folde
   return text.str();
 }
 
-// The simulation itself. Nothing is written before its parameters have been accepted.
+// Nothing is written before the experiment has accepted its parameters.
 coupling::Summary simulate(const RunInput& input, const fs::path& folder, RunLog& log,
                            const coupling::Monitor& monitor)
 {
+  coupling::PullOut pull_out(input.parameters, monitor);
   create_output_folder(folder);
   log.open(folder / "run.log");
   coupling::write_atomically(folder / "used.prm", input.used);
-  monitor.message("Parameters: " + (folder / "used.prm").string());
-  throw std::runtime_error("the coupled loop is not connected");
+
+  coupling::Summary summary = pull_out.run(folder);
+  summary.version = INTERLOCK_VERSION;
+  coupling::write_summary(folder / "summary.json", summary);
+  return summary;
 }
 
 void run(const RunArguments& arguments)
@@ -95,12 +100,9 @@ void run(const RunArguments& arguments)
     log.stream() << "Stopped: " << error.what() << std::endl;
     throw;
   }
-  summary.version = INTERLOCK_VERSION;
-  coupling::write_summary(folder / "summary.json", summary);
-  for (const std::string& warning : summary.warnings) display.message("Warning: " + warning);
   display.message(closing_text(summary, folder));
   if (input.parameters.output.report && draw_figures(folder) != 0)
-    display.message("Warning: the figures could not be drawn; \"interlock report " +
+    display.message("warning: the figures could not be drawn; \"interlock report " +
                     folder.string() + "\" tries again.");
 }
 } // namespace
