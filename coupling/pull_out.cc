@@ -120,6 +120,7 @@ Summary PullOut::run(const std::filesystem::path& output)
 {
   frames_ = std::make_unique<FieldFrames>(output);
   build_box(*engine_, parameters_.box, stone_on_box_);
+  engine_->set_local_damping(parameters_.filling.local_damping);
 
   const bool flattened = parameters_.geogrid.placement == "flattened";
   const double underside = geogrid_height_ - 0.5 * parameters_.geogrid.rib_thickness;
@@ -142,9 +143,11 @@ void PullOut::fill_to(double height, const std::string& stage)
   const double area = parameters_.box.length * parameters_.box.width;
   const double expected_bulk_density = 0.57 * parameters_.stones.density;
   double surface = filling_->surface_height();
-  const double close_enough = 0.1 * mean_size_;
+  const double close_enough = 0.2 * mean_size_;
   for (int round = 0; round < 8 && surface < height - close_enough; ++round) {
-    const double fall_time = filling_->pour(expected_bulk_density * area * (height - surface));
+    // Rather too much than another round: the excess is taken off.
+    const double fall_time =
+        filling_->pour(1.05 * expected_bulk_density * area * (height - surface));
     if (!settle(fall_time, 0))
       warn("The stones had not settled at the end of the settling time limit of " +
            text("%.3g", parameters_.filling.settling_time_limit) + " s in stage \"" + stage +

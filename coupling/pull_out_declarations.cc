@@ -125,6 +125,9 @@ void declare_filling(ParameterTable& table, FillingParameters& filling)
                 "Speed of the flattening plate. [m/s]");
   table.require("Plate force limit", filling.plate_force_limit, positive,
                 "The flattening plate stops pressing at this force. [N]");
+  table.require("Local damping", filling.local_damping, {0, 1},
+                "Share of the unbalanced force taken from stones in contact until the pull starts "
+                "(Cundall's local damping), so that they settle sooner. [-]");
   table.require("Kinetic energy ratio", filling.kinetic_energy_ratio, positive,
                 "Settled when the kinetic energy is below this share of total weight x mean stone "
                 "size. [-]");

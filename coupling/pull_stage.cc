@@ -54,6 +54,7 @@ double mean_over_window(const std::vector<double>& position, const std::vector<d
 void PullOut::pull(const std::filesystem::path& output)
 {
   begin_stage("pull");
+  engine_->set_local_damping(0);
   const PullParameters& p = parameters_.pull;
   const double duration = p.distance / p.speed + 0.5 * p.ramp_time;
   History history(output / "history.csv", history_columns());

@@ -85,6 +85,7 @@ void StaggeredStep::book(EnergyLedger& ledger, double dt) const
   ledger.elastic_contacts = stones.contact.elastic;
   ledger.friction = stones.contact.friction;
   ledger.contact_damping = stones.contact.damping;
+  ledger.local_damping = stones.local_damping;
   ledger.wall_work = stones.wall_work;
   ledger.inserted = stones.inserted;
   if (!geogrid_) return;

@@ -162,6 +162,28 @@ void Engine::touch(WallContact& c, double dt)
   wall.force -= c.force;
 }
 
+void Engine::kick(int i, double dt)
+{
+  Vector3 force = clumps_.force[i] - clumps_.mass[i] * gravity_vector_;
+  Vector3 torque = clumps_.torque[i];
+  if (local_damping_ > 0 && clumps_.force[i] != Vector3::Zero()) {
+    // Signs and work are those of the velocity before the kick.
+    const Vector3 damping_force =
+        local_damping_ * force.cwiseAbs().cwiseProduct(clumps_.velocity[i].cwiseSign());
+    const Vector3 damping_torque =
+        local_damping_ * torque.cwiseAbs().cwiseProduct(clumps_.spin[i].cwiseSign());
+    force -= damping_force;
+    torque -= damping_torque;
+    const Vector3 v = clumps_.velocity[i], w = clumps_.spin[i];
+    clumps_.kick(i, dt, force, torque);
+    local_damping_loss_ +=
+        0.5 * dt *
+        (damping_force.dot(v + clumps_.velocity[i]) + damping_torque.dot(w + clumps_.spin[i]));
+    return;
+  }
+  clumps_.kick(i, dt, force, torque);
+}
+
 void Engine::move_walls(double dt)
 {
   for (Wall& wall : walls_) wall.corner += dt * wall.velocity;
@@ -219,6 +241,7 @@ EngineEnergy Engine::energy(double dt) const
     e.gravitational += clumps_.mass[i] * gravity_ * clumps_.position[i].z();
   }
   e.contact = contact_energy_;
+  e.local_damping = local_damping_loss_;
   e.wall_work = wall_work_;
   e.inserted = inserted_;
   return e;

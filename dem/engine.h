@@ -18,6 +18,7 @@ struct EngineEnergy {
   double kinetic = 0;       // at the present whole step
   double gravitational = 0; // m g z, zero at z = 0
   ContactEnergy contact;    // elastic: now; friction, damping: since the beginning
+  double local_damping = 0; // dissipated by local damping, since the beginning
   double wall_work = 0;     // done by moving walls on clumps, since the beginning
   double inserted = 0; // kinetic + gravitational energy of clumps when they were added, and, with
                        // negative sign, everything that went when clumps were removed
@@ -61,11 +62,11 @@ public:
   void compute_forces(double dt);
 
   // Adds the impulse of the computed forces and of gravity.
-  void kick(int clump, double dt)
-  {
-    clumps_.kick(clump, dt, clumps_.force[clump] - clumps_.mass[clump] * gravity_vector_,
-                 clumps_.torque[clump]);
-  }
+  void kick(int clump, double dt);
+  // Local damping (Cundall 1987) of clumps that touch something, to settle a packing faster: each
+  // component of the unbalanced force and torque is lowered by this share of its size where it
+  // speeds the clump up, and raised where it slows it down. 0 switches it off [-].
+  void set_local_damping(double share) { local_damping_ = share; }
   void move_walls(double dt);
 
   // One whole step of everything, when there are no ribs.
@@ -109,7 +110,8 @@ private:
   double gravity_;
   Vector3 gravity_vector_; // pointing up: subtract
   ContactEnergy contact_energy_;
-  double wall_work_ = 0, inserted_ = 0;
+  double local_damping_ = 0;
+  double local_damping_loss_ = 0, wall_work_ = 0, inserted_ = 0;
   int n_touching_ = 0;
   double largest_overlap_ = 0;
 };
