@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 
 namespace
 {
@@ -174,7 +174,7 @@ TEST(ClumpGenerator, SameSeedSameDigits)
 TEST(ClumpGenerator, BatchOfThePullOutCases)
 {
   const auto stones = make_stones(41, 1);
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock(); // processor time: other programs do not count
   double mean = 0, equal_mass_error = 0, uniform_error = 0;
   for (const TriangleMesh& stone : stones) {
     ClumpReport report;
@@ -189,11 +189,10 @@ TEST(ClumpGenerator, BatchOfThePullOutCases)
     // The union lies inside the stone but for bulges between nodes.
     EXPECT_LT(report.volume_error, 0);
   }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_NEAR(mean, 40, 5);
   // The correction of the paper: equal masses come much nearer than equal densities (Fig. 6).
   EXPECT_LT(equal_mass_error, uniform_error / 2);
-  EXPECT_LT(seconds.count(), 3);
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 3);
 }
 
 TEST(ClumpGenerator, BadParametersAreInputErrors)
