@@ -1,7 +1,13 @@
 #include "dem/largest_ball.h"
 
-#include <boost/geometry.hpp>
+// Boost 1.74 includes a header that it calls deprecated itself; this keeps the note out of the
+// build.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
+#include <boost/geometry/algorithms/comparable_distance.hpp>
+#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/cartesian/distance_pythagoras.hpp>
+#include <boost/geometry/strategies/cartesian/distance_pythagoras_point_box.hpp>
 
 #include <limits>
 
