@@ -1,9 +1,11 @@
 """Pictures from the fields written for ParaView: the box from the side and the contact force network.
 
 Reads the series of coupling/field_output.h with the HDF5 files that they name:
-    clumps.xdmf    points: member spheres; fields `radius` [m] and `clump` (number of the stone)
+    clumps.xdmf    points: member spheres; fields `radius` [m], `clump` (number of the stone)
+                   and `displacement` [m] of the stone since the first frame
     geogrid.xdmf   lines: beam elements
-    contacts.xdmf  lines: from centre to centre of what touches; field `force` [N], vector or magnitude
+    contacts.xdmf  lines: from centre to centre of what touches; fields `force` [N] and
+                   `kind` (0 two stones, 1 stone and wall, 2 stone and rib)
 Imported by figures.py; needs h5py.
 """
 
@@ -70,21 +72,9 @@ def open_series(run, name):
     return series if len(series) else None
 
 
-def displacement_of_spheres(clumps, frame):
-    """Way of every sphere's stone since the first frame [m]; spheres of one stone share it."""
-    stone = clumps.attribute(frame, "clump")
-    first = mean_by(clumps.attribute(0, "clump"), clumps.points(0))
-    now = mean_by(stone, clumps.points(frame))
-    ways = {key: np.linalg.norm(now[key] - first[key]) if key in first else 0.0 for key in now}
-    return np.array([ways[key] for key in stone])
-
-
-def mean_by(keys, points):
-    """Mean of the points of each key, as a dictionary."""
-    unique, index = np.unique(keys, return_inverse=True)
-    sums = np.zeros((len(unique), 3))
-    np.add.at(sums, index, points)
-    return dict(zip(unique, sums / np.bincount(index)[:, None]))
+def way_of_stones(clumps, frame):
+    """For every sphere, how far its stone has gone since the first frame [mm]."""
+    return 1e3 * np.linalg.norm(clumps.attribute(frame, "displacement"), axis=1)
 
 
 def draw_stones(axes, clumps, frame, limit):
@@ -92,12 +82,13 @@ def draw_stones(axes, clumps, frame, limit):
     points, stone = 1e3 * clumps.points(frame), clumps.attribute(frame, "clump")
     diameter = 2e3 * clumps.attribute(frame, "radius")
     scale = ScalarMappable(Normalize(0, limit), "YlGnBu")
-    colours = scale.to_rgba(1e3 * displacement_of_spheres(clumps, frame))
+    colours = scale.to_rgba(way_of_stones(clumps, frame))
     middle = 0.5 * (points[:, 1].min() + points[:, 1].max())
-    depth = {key: centre[1] for key, centre in mean_by(stone, points).items() if centre[1] >= middle}
+    depth = {key: points[stone == key, 1].mean() for key in np.unique(stone)}
+    rear = [key for key in depth if depth[key] >= middle]
     # Each stone is painted twice: a little larger and dark, then its own colour, which leaves an outline.
     members, grow, paint = [], [], []
-    for key in sorted(depth, key=depth.get, reverse=True):
+    for key in sorted(rear, key=depth.get, reverse=True):
         mine = np.flatnonzero(stone == key)
         members += [mine, mine]
         grow += [np.full(len(mine), 1.2), np.zeros(len(mine))]
@@ -135,7 +126,7 @@ def box_figure(run, path, save):
         return
     figure, panels = plt.subplots(1, 2, figsize=(12, 5), sharey=True, layout="constrained")
     last = len(clumps) - 1
-    limit = max(1e-3, 1e3 * np.percentile(displacement_of_spheres(clumps, last), 98))
+    limit = max(1e-3, np.percentile(way_of_stones(clumps, last), 98))
     for axes, frame in zip(panels, (0, last)):
         scale = draw_stones(axes, clumps, frame, limit)
         extent = [clumps.points(0), clumps.points(last)]
@@ -148,18 +139,13 @@ def box_figure(run, path, save):
     save(figure, path)
 
 
-def magnitude(values):
-    """Length of each row of vectors; scalars as they are, without sign."""
-    return np.linalg.norm(values, axis=1) if values.ndim == 2 else np.abs(values)
-
-
 def force_chain_figure(run, path, save):
     contacts, geogrid = open_series(run, "contacts"), open_series(run, "geogrid")
     if contacts is None:
         print(f"Left out {path}: {run} holds no contacts.xdmf with a frame.")
         return
     # The frame with the largest force: arches form and break, and the last frame may fall between.
-    strengths = [magnitude(contacts.attribute(i, "force")) for i in range(len(contacts))]
+    strengths = [contacts.attribute(i, "force") for i in range(len(contacts))]
     frame = int(np.argmax([strength.max(initial=0) for strength in strengths]))
     if strengths[frame].size == 0:
         print(f"Left out {path}: there is no contact in any frame.")
@@ -170,8 +156,12 @@ def force_chain_figure(run, path, save):
     # Full width at the strongest contacts; one outlier must not thin all the others.
     reference = np.percentile(strength, 99.5)
     width = 5 * np.minimum(strength[order] / reference, 1.5)
-    draw_lines(axes, points, contacts.lines(frame)[order], color="black", linewidth=width, alpha=0.75,
+    colours = np.array(["black", "0.6", "#0072B2"])[contacts.attribute(frame, "kind")[order].astype(int)]
+    draw_lines(axes, points, contacts.lines(frame)[order], color=colours, linewidth=width, alpha=0.8,
                capstyle="round")
+    for label, colour in (("between stones", "black"), ("at walls", "0.6"), ("at ribs", "#0072B2")):
+        axes.plot([], [], color=colour, linewidth=3, label=label)
+    axes.legend(frameon=False, fontsize=8, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     extent = [points]
     if geogrid is not None:
         ribs = geogrid.frame_at(contacts.time(frame))

@@ -149,22 +149,26 @@ def force_figure(runs, labels, path, with_laboratory):
 
 
 def energy_figure(run, path):
-    """Every ledger entry over time; silent entries (all zero) are left out."""
+    """Change of every ledger entry since the first record; entries too small to be seen are left out."""
     history = read_history(run)
-    entries = {name: values for name, values in history.items()
-               if name.startswith("energy_") and values.dtype.kind == "f"}
+    entries = {name: values - values[0] for name, values in history.items()
+               if name.startswith("energy_") and not name.startswith("energy_interface")
+               and name != "energy_relative_error" and values.dtype.kind == "f"}
     if not entries or "time" not in history:
         print(f"Left out {path}: history.csv has no energy_* columns.")
         return
-    figure, axes = plt.subplots(figsize=(7.5, 4.8), layout="constrained")
-    shown = [name for name in entries if np.nanmax(np.abs(entries[name])) > 0]
+    figure, axes = plt.subplots(figsize=(8.5, 4.8), layout="constrained")
+    swing = {name: np.nanmax(np.abs(values)) for name, values in entries.items()}
+    shown = [name for name in entries if swing[name] > 0.005 * max(swing.values())]
     for i, name in enumerate(shown):
         axes.plot(history["time"], entries[name], linewidth=1.4, color=COLOURS[i % len(COLOURS)],
                   linestyle="-" if i < len(COLOURS) else "--",
                   label=name[len("energy_"):].replace("_", " "))
     axes.set_xlabel("time [s]")
-    axes.set_ylabel("energy [J]")
-    axes.set_title("Energy ledger, " + title_of(run, read_summary(run)), fontsize=11)
+    axes.set_ylabel("change since the first record [J]")
+    error = history.get("energy_relative_error")
+    closing = "" if error is None else f", relative error {error[-1]:.1e}"
+    axes.set_title(f"Energy ledger, {title_of(run, read_summary(run))}{closing}", fontsize=11)
     axes.grid(color="0.92")
     if shown:
         axes.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
