@@ -119,7 +119,7 @@ def dress(axes, points, title):
     axes.set_title(title, fontsize=10)
 
 
-def box_figure(run, path, save):
+def box_figure(run, path, save, pulled):
     clumps, geogrid = open_series(run, "clumps"), open_series(run, "geogrid")
     if clumps is None:
         print(f"Left out {path}: {run} holds no clumps.xdmf with a frame.")
@@ -134,12 +134,12 @@ def box_figure(run, path, save):
             ribs = geogrid.frame_at(clumps.time(frame))
             draw_lines(axes, geogrid.points(ribs), geogrid.lines(ribs), color="#D55E00", linewidth=1.6)
             extent += [geogrid.points(0), geogrid.points(len(geogrid) - 1)]
-        dress(axes, np.concatenate(extent), f"rear half of the box at {clumps.time(frame):.3f} s")
+        dress(axes, np.concatenate(extent), f"rear half of the box, {pulled(clumps.time(frame))}")
     figure.colorbar(scale, ax=panels, label="way of the stone since the first frame [mm]", shrink=0.8)
     save(figure, path)
 
 
-def force_chain_figure(run, path, save):
+def force_chain_figure(run, path, save, pulled):
     contacts, geogrid = open_series(run, "contacts"), open_series(run, "geogrid")
     if contacts is None:
         print(f"Left out {path}: {run} holds no contacts.xdmf with a frame.")
@@ -167,17 +167,18 @@ def force_chain_figure(run, path, save):
         ribs = geogrid.frame_at(contacts.time(frame))
         draw_lines(axes, geogrid.points(ribs), geogrid.lines(ribs), color="#D55E00", linewidth=1.6)
         extent.append(geogrid.points(ribs))
-    dress(axes, np.concatenate(extent), f"contact forces at {contacts.time(frame):.3f} s, line width in "
+    dress(axes, np.concatenate(extent), f"contact forces, {pulled(contacts.time(frame))}; line width in "
           f"proportion to force, largest {strength.max():.3g} N")
     save(figure, path)
 
 
-def draw_all(run, folder, save):
-    """Both pictures into `folder`; `save(figure, path)` writes one."""
+def draw_all(run, folder, save, pulled):
+    """Both pictures into `folder`. `save(figure, path)` writes one; `pulled(time)` says in words how far
+    the geogrid has been pulled then."""
     for draw, name in ((box_figure, "box.png"), (force_chain_figure, "force_chains.png")):
         path = os.path.join(folder, name)
         try:
-            draw(run, path, save)
+            draw(run, path, save, pulled)
         except (OSError, KeyError, xml.etree.ElementTree.ParseError) as error:
             # The files of a running case may be in the middle of being written.
             print(f"Left out {path}: the fields cannot be read ({error}).")

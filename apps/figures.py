@@ -175,6 +175,14 @@ def energy_figure(run, path):
     save(figure, path)
 
 
+def pulled_at(run):
+    """A function that says for a time how far the geogrid has been pulled then."""
+    history = read_history(run)
+    if "time" not in history:
+        return lambda time: f"at {time:.3f} s"
+    return lambda time: f"pulled {1e3 * np.interp(time, history['time'], history['displacement']):.1f} mm"
+
+
 def main():
     parser = argparse.ArgumentParser(description="Pictures of finished or running pull-out tests.")
     parser.add_argument("runs", nargs="+", metavar="RUN_DIR", help="output folder of interlock run")
@@ -194,7 +202,7 @@ def main():
         if single:
             energy_figure(arguments.runs[0], os.path.join(folder, "energy.png"))
             import field_figures  # h5py is needed for these only
-            field_figures.draw_all(arguments.runs[0], folder, save)
+            field_figures.draw_all(arguments.runs[0], folder, save, pulled_at(arguments.runs[0]))
     except InputError as error:
         print(error, file=sys.stderr)
         return 2
