@@ -1,0 +1,159 @@
+// The built program as a process: exit codes, one rank's words on the standard error, and nothing
+// on the disk. It takes bad input that ends with another code than 2, is silent, is said on the
+// standard output, or leaves a file behind, to fail.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <sys/wait.h>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+const std::string quick = std::string(INTERLOCK_SOURCE_DIR) + "/cases/pullout/quick.prm";
+
+class Program : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    folder =
+        fs::path(testing::TempDir()) /
+        ("interlock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder);
+    fs::create_directories(folder / "work");
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  // Runs `launcher` interlock `arguments` inside the empty folder `work`.
+  void run(const std::string& arguments, const std::string& launcher = "")
+  {
+    const std::string command = "cd '" + (folder / "work").string() + "' && " + launcher +
+                                " '" INTERLOCK_PROGRAM "' " + arguments + " >../out 2>../err";
+    const int status = std::system(command.c_str());
+    code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    out = text_of(folder / "out");
+    err = text_of(folder / "err");
+  }
+
+  static std::string text_of(const fs::path& file)
+  {
+    std::ifstream stream(file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+
+  void expect_refusal(const std::vector<std::string>& words)
+  {
+    EXPECT_EQ(code, 2) << err;
+    EXPECT_EQ(out, "");
+    EXPECT_EQ(err.find("interlock: error: "), 0u) << err;
+    for (const std::string& word : words) EXPECT_NE(err.find(word), std::string::npos) << err;
+    EXPECT_TRUE(fs::is_empty(folder / "work")) << "something was written";
+  }
+
+  fs::path folder;
+  int code = -1;
+  std::string out, err;
+};
+} // namespace
+
+TEST_F(Program, RefusesAnUnknownEntry)
+{
+  run("run " + quick + " --set 'Geogrid/Young modulus=2e9'");
+  expect_refusal({"\"Geogrid/Young modulus\"", "\"Geogrid/Youngs modulus\""});
+}
+
+TEST_F(Program, RefusesAUnitAndANegativeStiffnessTogether)
+{
+  run("run " + quick + " --set 'Geogrid/Youngs modulus=2.4 GPa' --set 'Contact/Box stiffness=-1'");
+  expect_refusal({"\"2.4 GPa\"", "in Pa", "\"Contact/Box stiffness\" is \"-1\""});
+  EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 2);
+}
+
+TEST_F(Program, RefusesAFileThatLacksAPhysicalValue)
+{
+  run("template pull-out");
+  EXPECT_EQ(code, 0);
+  const std::string line = "  set Density = 910\n";
+  const auto begin = out.find(line);
+  ASSERT_NE(begin, std::string::npos);
+  std::ofstream(folder / "lacks.prm") << out.erase(begin, line.size());
+  run("run ../lacks.prm");
+  expect_refusal({"../lacks.prm", "\"Geogrid/Density\" is missing", "in kg/m3"});
+}
+
+TEST_F(Program, RefusesAMissingFolderOfScans)
+{
+  run("run " + quick + " --set Stones/Folder=no_scans --set 'Stones/Length unit=0.001'");
+  expect_refusal({"\"Stones/Folder\"", "no_scans"});
+}
+
+TEST_F(Program, RefusesAGeogridLargerThanTheBox)
+{
+  run("run " + quick + " --set 'Box/Width=0.19'");
+  expect_refusal({"\"Geogrid/Apertures across\"", "0.2 m wide", "0.19 m wide"});
+}
+
+TEST_F(Program, RefusesATimeStepAboveTheStableOne)
+{
+  run("run " + quick + " --set Stones/Count=1 --set Time/Step=1e-3");
+  EXPECT_EQ(code, 2) << err;
+  EXPECT_NE(err.find("interlock: error: "), std::string::npos) << err;
+  EXPECT_NE(err.find("Time/Step"), std::string::npos) << err;
+  EXPECT_TRUE(fs::is_empty(folder / "work")) << "something was written";
+}
+
+TEST_F(Program, RefusesAMissingFileAndAFileInThePlaceOfTheOutputFolder)
+{
+  run("run no.prm");
+  expect_refusal({"\"no.prm\"", "cannot be read"});
+  run("run " + quick + " --output ../out/results");
+  expect_refusal({"../out/results", "is a file"});
+}
+
+TEST_F(Program, RefusesUnknownCommandsAndOptions)
+{
+  run("rnu " + quick);
+  expect_refusal({"\"rnu\"", "\"run\""});
+  run("run " + quick + " --outptu here");
+  expect_refusal({"--outptu"});
+  run("run");
+  expect_refusal({"file"});
+  run("");
+  expect_refusal({"--help"});
+  run("template heap");
+  expect_refusal({"heap"});
+  run("report no_such_folder");
+  expect_refusal({"no_such_folder"});
+}
+
+TEST_F(Program, RefusesTwoRanksInOneSentence)
+{
+  // Machines without Open MPI's launcher cannot ask for two ranks in this way either.
+  if (std::system("mpirun --version >/dev/null 2>&1") != 0) return;
+  run("run " + quick, "mpirun --allow-run-as-root --oversubscribe -n 2");
+  EXPECT_EQ(code, 2) << err;
+  const auto sentence = err.find("interlock: error: This version runs on one MPI rank");
+  EXPECT_NE(sentence, std::string::npos) << err;
+  EXPECT_EQ(err.find("interlock: error", sentence + 1), std::string::npos) << "said twice";
+  EXPECT_TRUE(fs::is_empty(folder / "work")) << "something was written";
+}
+
+TEST_F(Program, TellsItsVersionAndItsUse)
+{
+  run("--version");
+  EXPECT_EQ(code, 0);
+  EXPECT_EQ(out.find("interlock "), 0u) << out;
+  run("--help");
+  EXPECT_EQ(code, 0);
+  for (const char* command : {"run", "clump", "stones", "template", "report"})
+    EXPECT_NE(out.find(std::string("\n  ") + command), std::string::npos) << command;
+  EXPECT_EQ(err, "");
+}

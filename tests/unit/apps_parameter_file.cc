@@ -1,0 +1,138 @@
+// Parameter files. It takes a case or the template with a value that is not the paper's (Table 6
+// and section 4 of Ferellec and McDowell 2010), an override or an include that does not win, a path
+// that is relative to the wrong folder, or a used.prm that does not give the same run again, to
+// fail.
+#include "apps/parameter_file.h"
+
+#include "apps/nearest_name.h"
+#include "apps/parameter_scanner.h"
+#include "apps/template_command.h"
+#include "coupling/parameter_table.h"
+#include "coupling/pull_out_declarations.h"
+#include "dem/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace interlock;
+namespace fs = std::filesystem;
+
+namespace
+{
+const fs::path cases = fs::path(INTERLOCK_SOURCE_DIR) / "cases" / "pullout";
+
+class ParameterFile : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    folder =
+        fs::path(testing::TempDir()) /
+        ("interlock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    write("base.prm", apps::pull_out_template());
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  fs::path write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(folder / name) << text;
+    return folder / name;
+  }
+
+  fs::path folder;
+};
+} // namespace
+
+TEST_F(ParameterFile, TemplateIsTheTestOfThePaper)
+{
+  const auto p = apps::read_parameter_file(folder / "base.prm").parameters;
+  EXPECT_EQ(p.contact.stone_stiffness, 6e7); // Table 6
+  EXPECT_EQ(p.contact.box_stiffness, 6e7);
+  EXPECT_EQ(p.contact.geogrid_stiffness, 9.76e8);
+  EXPECT_EQ(p.contact.stone_friction, 0.6);
+  EXPECT_EQ(p.contact.box_friction, 0);
+  EXPECT_EQ(p.contact.geogrid_friction, 0.7);
+  EXPECT_EQ(p.stones.count, 41);    // section 3
+  EXPECT_EQ(p.pull.speed, 0.01);    // section 4
+  EXPECT_EQ(p.pull.distance, 0.05); // Figs. 9-12
+  // About 36 kg at 1500 kg/m3 (section 4) fill the box.
+  EXPECT_NEAR(p.box.length * p.box.width * p.box.height, 36. / 1500, 1e-4);
+  EXPECT_FALSE(p.geogrid.rigid);
+  EXPECT_EQ(p.geogrid.pitch_along, 0.065);
+}
+
+TEST_F(ParameterFile, QuickCaseIsTheSameTestPulledFaster)
+{
+  const auto full = apps::read_parameter_file(cases / "pullout.prm").parameters;
+  const auto quick = apps::read_parameter_file(cases / "quick.prm").parameters;
+  EXPECT_EQ(quick.pull.speed, 10 * full.pull.speed);
+  EXPECT_EQ(quick.pull.distance, 0.02);
+  EXPECT_EQ(quick.geogrid.youngs_modulus, full.geogrid.youngs_modulus);
+  EXPECT_EQ(quick.contact.geogrid_friction, full.contact.geogrid_friction);
+}
+
+TEST_F(ParameterFile, TemplateShowsEveryEntry)
+{
+  coupling::PullOutParameters parameters;
+  coupling::ParameterTable table;
+  coupling::declare_pull_out(table, parameters);
+  const auto scanned = apps::scan_parameter_file(folder / "base.prm");
+  for (const auto& entry : table.entries())
+    EXPECT_TRUE(std::any_of(scanned.assignments.begin(), scanned.assignments.end(),
+                            [&](const auto& set) { return set.key() == entry.key(); }))
+        << entry.key();
+}
+
+TEST_F(ParameterFile, OverridesWinInTheirOrder)
+{
+  const auto p = apps::read_parameter_file(folder / "base.prm",
+                                           {"Geogrid/Youngs modulus=1e9", "Gravity = 1.62",
+                                            "Geogrid/Youngs modulus=2e9", "Geogrid/Rigid=true"})
+                     .parameters;
+  EXPECT_EQ(p.geogrid.youngs_modulus, 2e9);
+  EXPECT_EQ(p.gravity, 1.62);
+  EXPECT_TRUE(p.geogrid.rigid);
+}
+
+TEST_F(ParameterFile, IncludingFileWinsOverTheIncludedOne)
+{
+  const auto file = write("soft.prm", "# a softer geogrid\ninclude base.prm\n"
+                                      "subsection Geogrid\n"
+                                      "  set Youngs modulus = 5e8 # a comment\n"
+                                      "end\n");
+  const auto p = apps::read_parameter_file(file).parameters;
+  EXPECT_EQ(p.geogrid.youngs_modulus, 5e8);
+  EXPECT_EQ(p.geogrid.density, 910);
+}
+
+TEST_F(ParameterFile, FolderOfStonesIsRelativeToTheFileThatNamesIt)
+{
+  fs::create_directories(folder / "scans");
+  write("scans/a.stl", "solid");
+  const auto file = write("scanned.prm", "include base.prm\nsubsection Stones\n"
+                                         "set Folder = scans\nset Length unit = 0.001\nend\n");
+  const auto p = apps::read_parameter_file(file).parameters;
+  EXPECT_EQ(fs::canonical(p.stones.folder), fs::canonical(folder / "scans"));
+  EXPECT_TRUE(fs::path(p.stones.folder).is_absolute());
+}
+
+TEST_F(ParameterFile, UsedParametersGiveTheSameRunAgain)
+{
+  const auto first = apps::read_parameter_file(folder / "base.prm", {"Pull/Speed=0.0333333333333"});
+  const auto again = apps::read_parameter_file(write("used.prm", first.used));
+  EXPECT_EQ(again.used, first.used);
+  EXPECT_EQ(again.parameters.pull.speed, 0.0333333333333);
+  EXPECT_NE(first.used.find("# Speed of the front edge of the geogrid. [m/s]"), std::string::npos);
+}
+
+TEST(NearestName, ForgivesLettersAndCaseButNotMore)
+{
+  const std::vector<std::string> known = {"run", "report", "template", "Youngs modulus"};
+  EXPECT_EQ(apps::nearest_name("rnu", known), "run");
+  EXPECT_EQ(apps::nearest_name("tempalte", known), "template");
+  EXPECT_EQ(apps::nearest_name("young's MODULUS", known), "Youngs modulus");
+  EXPECT_EQ(apps::nearest_name("density", known), "");
+}
