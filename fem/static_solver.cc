@@ -14,6 +14,7 @@
 #include <petscsnes.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -81,6 +82,8 @@ private:
   SNESConvergedReason run_newton(SNESLineSearchType line_search, PetscInt& iterations);
   static PetscErrorCode residual(SNES, Vec x, Vec f, void* self);
   static PetscErrorCode jacobian(SNES, Vec x, Mat, Mat, void* self);
+  static PetscErrorCode converged(SNES, PetscInt iteration, PetscReal, PetscReal step,
+                                  PetscReal residual, SNESConvergedReason* reason, void* self);
 
   Eigen::Vector3d at(const dealii::Vector<double>& x, int node, int first) const
   {
@@ -93,6 +96,8 @@ private:
 
   const StaticSolver& solver_;
   const double share_;
+  double rounding_level_ =
+      0; // norm of the residual that the last digit of the coordinates causes [N]
   dealii::AffineConstraints<double> constraints_;
   dealii::PETScWrappers::SparseMatrix matrix_;
   dealii::Vector<double> solution_;
@@ -120,6 +125,12 @@ StaticSolver::LoadStep::LoadStep(const StaticSolver& solver, double share, doubl
   for (int i = 0; i < lattice.n_nodes(); ++i)
     for (int c = 0; c < 3; ++c) solution_[lattice.first_dof(i) + c] = solver.displacement(i)[c];
   constraints_.distribute(solution_);
+
+  for (int e = 0; e < lattice.n_elements(); ++e) {
+    const double coordinate = lattice.reference_position(lattice.element(e).node[1]).norm();
+    const double strain = 5e-17 * (1 + coordinate / lattice.element(e).length);
+    rounding_level_ = std::hypot(rounding_level_, lattice.section(e).axial * strain);
+  }
 }
 
 dealii::Vector<double> StaticSolver::LoadStep::constrained_copy(Vec x) const
@@ -198,6 +209,23 @@ PetscErrorCode StaticSolver::LoadStep::jacobian(SNES, Vec x, Mat, Mat, void* sel
   return 0;
 }
 
+// Not by the residual: its size at the start says little (a prescribed rotation strains one element
+// by it), while the Newton step estimates the error of the solution itself.
+PetscErrorCode StaticSolver::LoadStep::converged(SNES, PetscInt iteration, PetscReal,
+                                                 PetscReal step, PetscReal residual,
+                                                 SNESConvergedReason* reason, void* self)
+{
+  const LoadStep& load_step = *static_cast<LoadStep*>(self);
+  *reason = SNES_CONVERGED_ITERATING;
+  if (!(residual < 1e300))
+    *reason = SNES_DIVERGED_FNORM_NAN;
+  else if (residual <= load_step.rounding_level_)
+    *reason = SNES_CONVERGED_FNORM_ABS;
+  else if (iteration > 0 && step <= load_step.solver_.options_.step_tolerance)
+    *reason = SNES_CONVERGED_SNORM_RELATIVE;
+  return 0;
+}
+
 SNESConvergedReason StaticSolver::LoadStep::run_newton(SNESLineSearchType line_search,
                                                        PetscInt& iterations)
 {
@@ -207,10 +235,8 @@ SNESConvergedReason StaticSolver::LoadStep::run_newton(SNESLineSearchType line_s
   const VecOwner x = make_vec(solution_.size()), f = make_vec(solution_.size());
   check(SNESSetFunction(snes.get(), f.get(), residual, this));
   check(SNESSetJacobian(snes.get(), matrix_, matrix_, jacobian, this));
-  check(SNESSetTolerances(snes.get(), 1e-50, solver_.options_.relative_tolerance,
-                          solver_.options_.step_tolerance, solver_.options_.max_iterations,
-                          100000));
-  check(SNESSetDivergenceTolerance(snes.get(), -1)); // the residual may grow at first
+  check(SNESSetTolerances(snes.get(), 0, 0, 0, solver_.options_.max_iterations, 100000));
+  check(SNESSetConvergenceTest(snes.get(), converged, this, nullptr));
   KSP ksp = nullptr;
   PC pc = nullptr;
   SNESLineSearch search = nullptr;

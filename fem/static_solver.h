@@ -14,12 +14,11 @@
 namespace interlock::fem
 {
 struct StaticOptions {
-  bool rbf = true;          // residual bending flexibility in the shear stiffness
-  int load_steps = 10;      // loads and prescribed motion grow in equal steps
-  int max_iterations = 100; // Newton iterations in one load step
-  double relative_tolerance =
-      1e-10;                     // of the residual, against its size at the start of a load step
-  double step_tolerance = 1e-11; // of the Newton step, against the size of the solution
+  bool rbf = true;               // residual bending flexibility in the shear stiffness
+  int load_steps = 10;           // loads and prescribed motion grow in equal steps
+  int max_iterations = 100;      // Newton iterations in one load step
+  double step_tolerance = 1e-10; // a load step ends when the Newton step [m, rad] is shorter, or
+                                 // when the residual is at the rounding level of the axial forces
 };
 
 // Loads and supports are set first, then `solve` brings them on in steps. Rotations are unit

@@ -1,0 +1,110 @@
+// The stable step of the explicit integrator against the highest frequency of the assembled
+// lattice, from its exact tangent (automatic differentiation) and lumped masses, and against time
+// stepping. Fails when the formula promises too much, or gives away more than a sixth of the step.
+
+// GCC 12 warns in its own header about undefined operands of vector intrinsics (GCC bug 105593).
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
+#include "fem/beam_constants.h"
+#include "fem/beam_tangent.h"
+#include "fem/explicit_dynamics.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+using namespace interlock::fem;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+Lattice small_lattice(int elements)
+{
+  BiaxialLayout layout;
+  layout.apertures_along = layout.apertures_across = 2;
+  layout.pitch_along = layout.pitch_across = 0.065;
+  layout.elements_per_rib = elements;
+  layout.section_along = layout.section_across = {5e-3, 2.5e-3, 2.4e9, 0.4, 910};
+  return Lattice(layout);
+}
+
+// 2/omega_max of K u = omega^2 M u.
+double exact_limit(const Lattice& lattice, const DynamicsOptions& options)
+{
+  const int n = 6 * lattice.n_nodes();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n), mass = stiffness;
+  const Quaterniond identity = Quaterniond::Identity();
+  for (int e = 0; e < lattice.n_elements(); ++e) {
+    const auto& node = lattice.element(e).node;
+    const BeamTangent tangent =
+        beam_tangent(beam_constants(lattice, e, options.rbf),
+                     {lattice.reference_position(node[0]), lattice.reference_position(node[1])},
+                     {identity, identity}, {Vector3d::Zero(), Vector3d::Zero()});
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        stiffness.block<6, 6>(6 * node[a], 6 * node[b]) +=
+            tangent.stiffness.block<6, 6>(6 * a, 6 * b);
+  }
+  const auto nodes = lump_inertia(lattice, options.spherical_inertia);
+  for (int i = 0; i < lattice.n_nodes(); ++i) {
+    mass.block<3, 3>(6 * i, 6 * i) = nodes[i].mass * Eigen::Matrix3d::Identity();
+    mass.block<3, 3>(6 * i + 3, 6 * i + 3) = nodes[i].tensor;
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+      0.5 * (stiffness + stiffness.transpose()), mass, Eigen::EigenvaluesOnly);
+  return 2 / std::sqrt(modes.eigenvalues().maxCoeff());
+}
+
+// Kinetic energy after 20000 steps over the energy that random velocities gave at the start.
+double growth(const Lattice& lattice, const DynamicsOptions& options, double h)
+{
+  ExplicitDynamics dynamics(lattice, options);
+  LatticeState state = dynamics.state();
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1e-6, 1e-6);
+  for (int i = 0; i < lattice.n_nodes(); ++i) {
+    state.velocity[i] = {uniform(generator), uniform(generator), uniform(generator)};
+    state.spin[i] = 1e3 * Vector3d(uniform(generator), uniform(generator), uniform(generator));
+    if (!options.spherical_inertia) {
+      state.spin[i].setZero();
+      state.angular_momentum[i].setZero();
+    }
+  }
+  dynamics.set_state(state);
+  const double start = dynamics.energies().kinetic;
+  for (int i = 0; i < 20000; ++i) dynamics.step(h);
+  return dynamics.energies().kinetic / start;
+}
+
+TEST(StableStep, FormulaIsSafeAndNotWasteful)
+{
+  for (const bool spherical : {false, true})
+    for (const bool rbf : {false, true})
+      for (const int elements : {4, 8}) {
+        DynamicsOptions options;
+        options.spherical_inertia = spherical;
+        options.rbf = rbf;
+        const Lattice lattice = small_lattice(elements);
+        const double exact = exact_limit(lattice, options);
+        const double formula = ExplicitDynamics(lattice, options).stable_step();
+        EXPECT_LE(formula, exact * (1 + 1e-9)) << spherical << rbf << elements;
+        EXPECT_GE(formula, exact / 1.2) << spherical << rbf << elements;
+      }
+}
+
+TEST(StableStep, BoundedBelowGrowingAbove)
+{
+  const Lattice lattice = small_lattice(4);
+  for (const bool spherical : {false, true}) {
+    DynamicsOptions options;
+    options.spherical_inertia = spherical;
+    const double exact = exact_limit(lattice, options);
+    EXPECT_LT(growth(lattice, options, 0.995 * exact), 10);
+    const double above = growth(lattice, options, 1.005 * exact);
+    EXPECT_TRUE(above > 1e6 || std::isnan(above)) << above;
+  }
+}
+} // namespace
