@@ -154,7 +154,7 @@ void PullOut::fill_to(double height, const std::string& stage)
            "\".");
     surface = filling_->surface_height();
   }
-  const std::vector<bool> excess = filling_->above(height);
+  const std::vector<bool> excess = filling_->above(height + 0.25 * mean_size_);
   const auto n_excess = std::count(excess.begin(), excess.end(), true);
   loop_->remove_clumps(excess);
   settle(0.02, 0.9);

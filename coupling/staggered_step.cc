@@ -42,7 +42,9 @@ void StaggeredStep::advance(double dt, const dem::Vector3& clamp_velocity, Energ
     rib_force_.resize(clumps.size());
     rib_torque_.resize(clumps.size());
     clamp_force_.setZero();
+    begin_mean_motion();
     for (int s = 0; s < substeps_; ++s) substep(dt / substeps_, clamp_velocity);
+    end_mean_motion();
     clamp_force_ /= substeps_;
   }
   engine_.move_walls(dt);
@@ -61,19 +63,39 @@ void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
       rib_contacts_.evaluate(clumps, geogrid_->ribs(), h, rib_force_, rib_torque_, rib_energy_));
 
   for (const int i : near) {
-    if (rib_force_[i] != dem::Vector3::Zero()) {
-      // Work of the kick: force times the mean of the velocities before and after it.
-      const dem::Vector3 v = clumps.velocity[i], w = clumps.spin_of(i, clumps.angular_momentum[i]);
-      clumps.kick(i, h, rib_force_[i], rib_torque_[i]);
-      rib_work_on_stones_ +=
-          0.5 * h *
-          (rib_force_[i].dot(v + clumps.velocity[i]) + rib_torque_[i].dot(w + clumps.spin[i]));
-    }
+    const dem::Vector3 v = clumps.drift_velocity[i], w = clumps.drift_spin[i];
+    clumps.kick(i, h, rib_force_[i], rib_torque_[i]);
     clumps.drift(i, h);
+    mean_velocity_[i] += clumps.drift_velocity[i];
+    mean_spin_[i] += clumps.drift_spin[i];
+    // Work of a kick: force times the mean of the velocities of the drifts before and after it.
+    rib_work_on_stones_ += 0.5 * h *
+                           (rib_force_[i].dot(v + clumps.drift_velocity[i]) +
+                            rib_torque_[i].dot(w + clumps.drift_spin[i]));
   }
   geogrid_->dynamics().set_clamp_velocity(clamp_velocity);
   geogrid_->dynamics().step(h);
   clamp_force_ += geogrid_->dynamics().clamp_reaction();
+}
+
+// The contacts between stones must see the mean motion of the whole step: the velocity of the last
+// sub-step alone swings with the kicks of the rib and would make their tangential springs creep.
+void StaggeredStep::begin_mean_motion()
+{
+  mean_velocity_.resize(engine_.clumps().size());
+  mean_spin_.resize(engine_.clumps().size());
+  for (const int i : rib_contacts_.near_clumps()) {
+    mean_velocity_[i].setZero();
+    mean_spin_[i].setZero();
+  }
+}
+
+void StaggeredStep::end_mean_motion()
+{
+  for (const int i : rib_contacts_.near_clumps()) {
+    engine_.clumps().step_velocity[i] = mean_velocity_[i] / substeps_;
+    engine_.clumps().step_spin[i] = mean_spin_[i] / substeps_;
+  }
 }
 
 void StaggeredStep::book(EnergyLedger& ledger, double dt) const

@@ -38,6 +38,8 @@ public:
 
 private:
   void substep(double h, const dem::Vector3& clamp_velocity);
+  void begin_mean_motion();
+  void end_mean_motion();
   void book(EnergyLedger& ledger, double dt) const;
 
   dem::Engine& engine_;
@@ -47,6 +49,7 @@ private:
   double geogrid_inserted_ = 0;                      // energy of the lattice when it was placed [J]
   double rib_work_on_stones_ = 0;                    // [J]
   std::vector<dem::Vector3> rib_force_, rib_torque_; // on clumps, of the present sub-step
+  std::vector<dem::Vector3> mean_velocity_, mean_spin_; // sums over the sub-steps so far
   std::vector<bool> near_rib_;
   int substeps_ = 1;
   dem::Vector3 clamp_force_ = dem::Vector3::Zero();

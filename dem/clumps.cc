@@ -56,7 +56,8 @@ int Clumps::add(int new_shape, double density, const Vector3& x, const Quaternio
   position.push_back(x);
   orientation.push_back(q);
   rotation.push_back(q.toRotationMatrix());
-  for (std::vector<Vector3>* zero : {&velocity, &angular_momentum, &spin, &force, &torque})
+  for (std::vector<Vector3>* zero : {&velocity, &angular_momentum, &spin, &drift_velocity,
+                                     &drift_spin, &step_velocity, &step_spin, &force, &torque})
     zero->push_back(Vector3::Zero());
   return size() - 1;
 }
@@ -73,7 +74,8 @@ std::vector<int> Clumps::remove(const std::vector<bool>& remove)
   compact(orientation, remove);
   compact(rotation, remove);
   for (std::vector<Vector3>* field :
-       {&inertia, &position, &velocity, &angular_momentum, &spin, &force, &torque})
+       {&inertia, &position, &velocity, &angular_momentum, &spin, &drift_velocity, &drift_spin,
+        &step_velocity, &step_spin, &force, &torque})
     compact(*field, remove);
   return new_index;
 }
@@ -101,6 +103,8 @@ void Clumps::drift(int i, double dt)
   // One Newton step of 1/sqrt: the norm is 1 up to rounding already.
   orientation[i].coeffs() *= 1.5 - 0.5 * orientation[i].squaredNorm();
   rotation[i] = orientation[i].toRotationMatrix();
+  drift_velocity[i] = step_velocity[i] = velocity[i];
+  drift_spin[i] = step_spin[i] = spin[i];
 }
 
 std::int64_t Clumps::n_spheres() const

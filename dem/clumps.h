@@ -41,10 +41,6 @@ public:
   }
   // World spin from the angular momentum at the present attitude [rad/s].
   Vector3 spin_of(int clump, const Vector3& momentum) const;
-  Vector3 velocity_at(int clump, const Vector3& arm) const
-  {
-    return velocity[clump] + spin[clump].cross(arm);
-  }
 
   // Adds dt times force and torque to the momenta and refreshes the spin.
   void kick(int clump, double dt, const Vector3& force, const Vector3& torque);
@@ -66,8 +62,14 @@ public:
   std::vector<Vector3> velocity;         // [m/s]
   std::vector<Vector3> angular_momentum; // [kg m2/s]
   std::vector<Vector3> spin;             // [rad/s]
-  std::vector<Vector3> force;            // of this step, without gravity [N]
-  std::vector<Vector3> torque;           // about the centre of mass [N m]
+  // Of the last drift: what the contacts of a sub-step saw move. The momenta may have been kicked
+  // since.
+  std::vector<Vector3> drift_velocity, drift_spin; // [m/s], [rad/s]
+  // Mean over the last whole step: what the contacts of the step saw move. Equal to that of the
+  // drift, unless the step was made of several drifts and the caller wrote their mean here.
+  std::vector<Vector3> step_velocity, step_spin;
+  std::vector<Vector3> force;  // of this step, without gravity [N]
+  std::vector<Vector3> torque; // about the centre of mass [N m]
 
 private:
   std::vector<ClumpShape> shapes_;

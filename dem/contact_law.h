@@ -2,7 +2,7 @@
 //
 // Normal: spring and dashpot, no tension (the contact ends at zero force). Tangential: spring with
 // history and dashpot, limited by the Coulomb cone; the spring turns with the contact. Springs of
-// two bodies act in series (Ferrellec and McDowell 2010, Table 6, read with the usual k = k1 k2 /
+// two bodies act in series (Ferellec and McDowell 2010, Table 6, read with the usual k = k1 k2 /
 // (k1 + k2)).
 #pragma once
 
@@ -19,6 +19,10 @@ struct ContactProperties {
   double tangential_stiffness = 0; // [N/m]
   double friction = 0;             // Coulomb coefficient [-]
   double damping_ratio = 0;        // c / (2 sqrt(k m)), normal and tangential [-]
+  // Convention for the end of an impact: at zero force (no tension, the default), or at zero
+  // overlap, with tension in between. The same damping ratio gives different restitution (Schwager
+  // and Poeschel, Granular Matter 9 (2007) 465-469).
+  bool tension = false;
 };
 
 // Springs in series [N/m].
@@ -75,7 +79,8 @@ inline Vector3 linear_contact_force(const ContactProperties& pair, double reduce
 
   const double v_n = relative_velocity.dot(normal);
   const double elastic_n = k_n * overlap;
-  const double f_n = std::max(0., elastic_n - c_n * v_n);
+  const double viscous_n = elastic_n - c_n * v_n;
+  const double f_n = pair.tension ? viscous_n : std::max(0., viscous_n);
   Vector3 dashpot = (elastic_n - f_n) * normal;
   Vector3 force = f_n * normal;
 
@@ -85,7 +90,7 @@ inline Vector3 linear_contact_force(const ContactProperties& pair, double reduce
     const Vector3 trial = history.spring + time_step * v_t;
     Vector3 spring = trial;
     Vector3 f_t = -k_t * trial - dashpot_t;
-    const double limit = pair.friction * f_n, f_t_squared = f_t.squaredNorm();
+    const double limit = pair.friction * std::max(0., f_n), f_t_squared = f_t.squaredNorm();
     if (f_t_squared > limit * limit) {
       // Sliding: the whole force is friction, and the spring is what holds it.
       f_t *= limit / std::sqrt(f_t_squared);

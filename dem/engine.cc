@@ -40,7 +40,7 @@ int Engine::add_clump(int shape, double density, const Vector3& position,
                       const Quaternion& orientation, const Vector3& velocity)
 {
   const int i = clumps_.add(shape, density, position, orientation);
-  clumps_.velocity[i] = velocity;
+  clumps_.velocity[i] = clumps_.drift_velocity[i] = clumps_.step_velocity[i] = velocity;
   inserted_ += body_energy(i);
   lists_.invalidate();
   return i;
@@ -115,7 +115,8 @@ void Engine::touch(SphereContact& c, double dt)
 
   const Overlap o = sphere_overlap(xa, sa.radius, xb, sb.radius);
   const Vector3 ri = o.point - clumps_.position[c.i], rj = o.point - clumps_.position[c.j];
-  const Vector3 relative = clumps_.velocity_at(c.i, ri) - clumps_.velocity_at(c.j, rj);
+  const Vector3 relative = clumps_.step_velocity[c.i] + clumps_.step_spin[c.i].cross(ri) -
+                           clumps_.step_velocity[c.j] - clumps_.step_spin[c.j].cross(rj);
   if (!c.touching) {
     end_contact(stone_on_stone_, relative, dt, c.history, contact_energy_);
     c.force.setZero();
@@ -124,7 +125,7 @@ void Engine::touch(SphereContact& c, double dt)
   const double reduced_mass =
       clumps_.mass[c.i] * clumps_.mass[c.j] / (clumps_.mass[c.i] + clumps_.mass[c.j]);
   rotate_spring(c.history.spring, o.normal,
-                0.5 * dt * (clumps_.spin[c.i] + clumps_.spin[c.j]).dot(o.normal));
+                0.5 * dt * (clumps_.step_spin[c.i] + clumps_.step_spin[c.j]).dot(o.normal));
   c.force = linear_contact_force(stone_on_stone_, reduced_mass, o.depth, o.normal, relative, dt,
                                  c.history, contact_energy_);
   c.point = o.point;
@@ -147,13 +148,14 @@ void Engine::touch(WallContact& c, double dt)
   if (!c.touching && !was_touching) return;
 
   const Vector3 ri = o.point - clumps_.position[c.i];
-  const Vector3 relative = clumps_.velocity_at(c.i, ri) - wall.velocity;
+  const Vector3 relative =
+      clumps_.step_velocity[c.i] + clumps_.step_spin[c.i].cross(ri) - wall.velocity;
   if (!c.touching) {
     end_contact(wall.contact, relative, dt, c.history, contact_energy_);
     c.force.setZero();
     return;
   }
-  rotate_spring(c.history.spring, o.normal, 0.5 * dt * clumps_.spin[c.i].dot(o.normal));
+  rotate_spring(c.history.spring, o.normal, 0.5 * dt * clumps_.step_spin[c.i].dot(o.normal));
   c.force = linear_contact_force(wall.contact, clumps_.mass[c.i], o.depth, o.normal, relative, dt,
                                  c.history, contact_energy_);
   c.point = o.point;

@@ -232,7 +232,8 @@ Vector3 RibContacts::relative_velocity(const RibContact& c, const Clumps& clumps
 {
   const double n1 = 1 - c.xi, n2 = c.xi;
   const Vector3 rib_spin = n1 * rib.w[0] + n2 * rib.w[1];
-  return clumps.velocity_at(c.i, c.point - clumps.position[c.i]) -
+  const Vector3 clump_arm = c.point - clumps.position[c.i];
+  return clumps.drift_velocity[c.i] + clumps.drift_spin[c.i].cross(clump_arm) -
          (n1 * rib.v[0] + n2 * rib.v[1] + rib_spin.cross(c.arm));
 }
 
@@ -265,7 +266,7 @@ void RibContacts::touch(const Group& group, const Clumps& clumps, const std::vec
   // Dashpots act on the reduced mass: the rib is far lighter than the stone.
   const double reduced_mass =
       1 / (1 / clumps.mass[c.i] + n1 * n1 * rib.inverse_mass[0] + n2 * n2 * rib.inverse_mass[1]);
-  const Vector3 spin = 0.5 * (clumps.spin[c.i] + n1 * rib.w[0] + n2 * rib.w[1]);
+  const Vector3 spin = 0.5 * (clumps.drift_spin[c.i] + n1 * rib.w[0] + n2 * rib.w[1]);
   rotate_spring(c.history.spring, p.normal, spin.dot(p.normal) * time_step);
   c.force = linear_contact_force(contact_, reduced_mass, p.overlap, p.normal,
                                  relative_velocity(c, clumps, rib), time_step, c.history, energy);

@@ -1,5 +1,5 @@
-// Short names for the small algebra of the DEM module. World and body vectors share these types; every
-// function says which frame it wants.
+// Short names for the small algebra of the DEM module. World and body vectors share these types;
+// every function says which frame it wants.
 #pragma once
 
 #include <Eigen/Dense>

@@ -96,6 +96,7 @@ TEST_F(Entries, FillOneMemberEach)
       {"Filling/Drop height", &p.filling.drop_height},
       {"Filling/Plate speed", &p.filling.plate_speed},
       {"Filling/Plate force limit", &p.filling.plate_force_limit},
+      {"Filling/Local damping", &p.filling.local_damping},
       {"Filling/Kinetic energy ratio", &p.filling.kinetic_energy_ratio},
       {"Filling/Settling time limit", &p.filling.settling_time_limit},
       {"Surcharge/Force", &p.surcharge.force},
