@@ -21,6 +21,26 @@ struct StaticOptions {
                                  // when the residual is at the rounding level of the axial forces
 };
 
+// What the solver works on: the lattice, what acts on it at full load, and where it is now.
+struct StaticState {
+  struct Support {
+    int node, component; // freedom 0-5 of the node, as in StaticSolver::prescribe
+    double value;        // at full load [m, rad]
+  };
+  // Unloaded, without supports.
+  explicit StaticState(const Lattice& unloaded);
+  // Of both nodes of an element.
+  std::array<Eigen::Vector3d, 2> end_positions(int e) const;
+  std::array<Eigen::Quaterniond, 2> end_orientations(int e) const;
+
+  Lattice lattice;
+  std::vector<Support> supports;
+  std::vector<Eigen::Matrix<double, 6, 1>>
+      loads;                             // force and moment on each node at full load [N, N m]
+  std::vector<Eigen::Vector3d> position; // [m]
+  std::vector<Eigen::Quaterniond> orientation; // rotation from the unloaded state
+};
+
 // Loads and supports are set first, then `solve` brings them on in steps. Rotations are unit
 // quaternions; the unknowns of a load step are displacements and the rotation vectors on top of the
 // orientations of the last step, so that total rotations may be of any size. World frame
@@ -41,17 +61,18 @@ public:
   // Adds a dead load: force [N] and moment [N m] that keep their direction in the world frame.
   void add_load(int node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
 
-  // Solves from the present state. Returns the number of Newton iterations of all load steps.
-  // Throws std::runtime_error when a load step does not converge or PETSc is not running; the
-  // message names the step and PETSc's reason.
+  // Ramps loads and prescribed motion up from the present state; meant to be called once, because a
+  // second call ramps anew and adds its prescribed rotations to the present ones. Returns the
+  // number of Newton iterations of all load steps. Throws std::runtime_error when a load step does
+  // not converge or PETSc is not running; the message names the step and PETSc's reason.
   int solve();
 
-  const Eigen::Vector3d& position(int node) const { return position_[node]; } // [m]
+  const Eigen::Vector3d& position(int node) const { return state_.position[node]; } // [m]
   Eigen::Vector3d displacement(int node) const
   {
-    return position_[node] - lattice_.reference_position(node);
+    return state_.position[node] - state_.lattice.reference_position(node);
   }
-  const Eigen::Quaterniond& orientation(int node) const { return orientation_[node]; }
+  const Eigen::Quaterniond& orientation(int node) const { return state_.orientation[node]; }
   SectionForces section_forces(int e) const;
   double strain_energy() const; // [J]
   // Force (first three) and moment that the supports exert on a node [N, N m]; zero at free nodes
@@ -59,20 +80,7 @@ public:
   Eigen::Matrix<double, 6, 1> reaction(int node) const;
 
 private:
-  struct Support {
-    int node, component;
-    double value;
-  };
-  class LoadStep; // the nonlinear system of one load step, in static_solver.cc
-
-  std::array<Eigen::Vector3d, 2> end_positions(int e) const;
-  std::array<Eigen::Quaterniond, 2> end_orientations(int e) const;
-
-  Lattice lattice_;
+  StaticState state_;
   StaticOptions options_;
-  std::vector<Support> supports_;
-  std::vector<Eigen::Matrix<double, 6, 1>> loads_; // at full load
-  std::vector<Eigen::Vector3d> position_;
-  std::vector<Eigen::Quaterniond> orientation_;
 };
 } // namespace interlock::fem
