@@ -5,6 +5,7 @@
 #include <deal.II/base/hdf5.h>
 
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -65,14 +66,14 @@ std::string attribute(const OutputField& field, const std::string& path)
 std::string topology_element(const XdmfSeries::Topology topology, const std::string& path,
                              const std::size_t points, const std::size_t lines)
 {
+  const bool vertices = topology == XdmfSeries::Topology::points;
   std::ostringstream text;
-  if (topology == XdmfSeries::Topology::points)
-    text << "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" << points
-         << "\" NodesPerElement=\"1\"/>";
-  else
-    text << "<Topology TopologyType=\"Polyline\" NumberOfElements=\"" << lines
-         << "\" NodesPerElement=\"2\">" << data_item(path + "lines", lines, 2, true)
-         << "</Topology>";
+  text << "<Topology TopologyType=\"" << (vertices ? "Polyvertex" : "Polyline")
+       << "\" NumberOfElements=\"" << (vertices ? points : lines) << "\" NodesPerElement=\""
+       << (vertices ? 1 : 2) << "\">"
+       << (vertices ? data_item(path + "vertices", points, 1, true)
+                    : data_item(path + "lines", lines, 2, true))
+       << "</Topology>";
   return text.str();
 }
 
@@ -103,7 +104,13 @@ void XdmfSeries::write_frame(const std::string& group_name, const double time,
   h5::Group group = file.create_group(group_name);
   group.set_attribute("time", time);
   write_rows<float>(group, "points", "m", points, 3);
-  if (topology_ == Topology::lines) write_rows<int>(group, "lines", "-", lines, 2);
+  if (topology_ == Topology::lines) {
+    write_rows<int>(group, "lines", "-", lines, 2);
+  } else {
+    std::vector<int> vertices(points.size() / 3);
+    std::iota(vertices.begin(), vertices.end(), 0);
+    write_rows<int>(group, "vertices", "-", vertices, 1);
+  }
   for (const OutputField& field : fields)
     write_rows<float>(group, field.name, field.unit, field.values, field.components);
 }

@@ -5,6 +5,9 @@
 // attribute `time` [s] and the data sets
 //   points   n x 3   float    coordinates in the world frame, attribute unit = "m"
 //   lines    m x 2   integer  the two points of each line, from 0 (a series of lines only)
+//   vertices n       integer  0 to n - 1 (a series of points only: ParaView's newer XDMF reader
+//   makes no
+//                             cells without it, and shows nothing)
 //   FIELD    n, n x 3, m or m x 3   float, attribute unit, for example "N"
 // where n counts points and m lines. So in Python:
 //   f = h5py.File("contacts.h5"); f["frame_000003/force"][:]; f["frame_000003/force"].attrs["unit"]

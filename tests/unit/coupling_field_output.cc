@@ -77,6 +77,8 @@ TEST_F(FieldOutput, ReadsBackPointsWithScalarAndVectorFields)
   EXPECT_EQ(frame.get<double>("Time.<xmlattr>.Value"), 0.25);
   EXPECT_EQ(frame.get<std::string>("Topology.<xmlattr>.TopologyType"), "Polyvertex");
   EXPECT_EQ(frame.get<int>("Topology.<xmlattr>.NumberOfElements"), 2);
+  EXPECT_EQ(data_of(frame.get_child("Topology")).read<std::vector<double>>(),
+            (std::vector<double>{0, 1}));
   h5::DataSet points = data_of(frame.get_child("Geometry"));
   const auto coordinates = points.read<dealii::FullMatrix<double>>();
   for (int i = 0; i < 6; ++i) EXPECT_EQ(coordinates(i / 3, i % 3), two_points[i]);
