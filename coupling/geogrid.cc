@@ -28,31 +28,39 @@ fem::BiaxialLayout biaxial_layout(const GeogridParameters& p, const dem::Vector3
 }
 } // namespace
 
-Geogrid::Geogrid(const GeogridParameters& p, const dem::Vector3& front, double gravity)
-    : rigid_(p.rigid), lattice_(std::make_unique<fem::Lattice>(biaxial_layout(p, front)))
+Geogrid Geogrid::biaxial(const GeogridParameters& p, const dem::Vector3& front, double gravity)
 {
+  fem::Lattice lattice(biaxial_layout(p, front));
   fem::DynamicsOptions options;
   options.gravity = {0, 0, -gravity};
   options.mass_damping = p.mass_damping;
-  dynamics_ = std::make_unique<fem::ExplicitDynamics>(*lattice_, options);
+  const std::vector<int> front_edge = lattice.front_edge_nodes();
+  return Geogrid(std::move(lattice), options, front_edge, p.rigid, p.edge_rounding);
+}
+
+Geogrid::Geogrid(fem::Lattice lattice, const fem::DynamicsOptions& options,
+                 const std::vector<int>& clamped, bool rigid, double edge_rounding)
+    : rigid_(rigid), lattice_(std::make_unique<fem::Lattice>(std::move(lattice))),
+      dynamics_(std::make_unique<fem::ExplicitDynamics>(*lattice_, options))
+{
   if (rigid_)
     dynamics_->clamp_all();
   else
-    dynamics_->clamp(lattice_->front_edge_nodes());
+    dynamics_->clamp(clamped);
 
-  const std::vector<int> front_nodes = lattice_->front_edge_nodes();
   ribs_.resize(lattice_->n_elements());
   for (int r = 0; r < lattice_->n_elements(); ++r) {
     const fem::LatticeElement& element = lattice_->element(r);
+    unloaded_width_axis_.push_back(element.frame * dem::Vector3::UnitY());
     dem::Rib& rib = ribs_[r];
     rib.line = element.line;
-    rib.half_width = 0.5 * p.rib_width;
-    rib.half_thickness = 0.5 * p.rib_thickness;
-    rib.rounding = p.edge_rounding;
+    rib.half_width = 0.5 * lattice_->shape(r).width;
+    rib.half_thickness = 0.5 * lattice_->shape(r).thickness;
+    rib.rounding = edge_rounding;
     for (int end : {0, 1}) {
       const int node = element.node[end];
       const bool prescribed =
-          rigid_ || std::find(front_nodes.begin(), front_nodes.end(), node) != front_nodes.end();
+          rigid_ || std::find(clamped.begin(), clamped.end(), node) != clamped.end();
       rib.inverse_mass[end] = prescribed ? 0 : 1 / dynamics_->mass(node);
     }
   }
@@ -66,8 +74,8 @@ void Geogrid::refresh_rib(int r)
     rib.x[end] = dynamics_->end_position(r, end);
     rib.v[end] = dynamics_->velocity_at(r, end);
     rib.w[end] = dynamics_->spin_at(r, end);
+    rib.width_axis[end] = dynamics_->end_orientation(r, end) * unloaded_width_axis_[r];
   }
-  rib.width_axis = dynamics_->mid_frame(r) * dem::Vector3::UnitY();
 }
 
 void Geogrid::refresh_ribs(const std::vector<int>& which)

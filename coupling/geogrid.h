@@ -14,9 +14,15 @@ namespace interlock::coupling
 class Geogrid
 {
 public:
-  // `front` is the middle of the front transverse rib, the one that the clamp holds; the lattice
-  // lies flat behind it, along +x [m].
-  Geogrid(const GeogridParameters& parameters, const dem::Vector3& front, double gravity);
+  // `clamped` nodes are moved by the clamp, all of them for a rigid geogrid; `edge_rounding` is the
+  // radius of the ribs' edges [m]. The outer sizes of the ribs are those of the lattice's lines.
+  Geogrid(fem::Lattice lattice, const fem::DynamicsOptions& options,
+          const std::vector<int>& clamped, bool rigid, double edge_rounding);
+
+  // The geogrid of a pull-out test. `front` is the middle of the front transverse rib, the one that
+  // the clamp holds; the lattice lies flat behind it, along +x [m]. `gravity` acts along -z [m/s2].
+  static Geogrid biaxial(const GeogridParameters& parameters, const dem::Vector3& front,
+                         double gravity);
 
   const fem::Lattice& lattice() const { return *lattice_; }
   fem::ExplicitDynamics& dynamics() { return *dynamics_; }
@@ -46,5 +52,6 @@ private:
   std::unique_ptr<fem::Lattice> lattice_;
   std::unique_ptr<fem::ExplicitDynamics> dynamics_;
   std::vector<dem::Rib> ribs_;
+  std::vector<dem::Vector3> unloaded_width_axis_; // of each rib, unit
 };
 } // namespace interlock::coupling

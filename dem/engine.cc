@@ -118,7 +118,7 @@ void Engine::touch(SphereContact& c, double dt)
   const Vector3 relative = clumps_.step_velocity[c.i] + clumps_.step_spin[c.i].cross(ri) -
                            clumps_.step_velocity[c.j] - clumps_.step_spin[c.j].cross(rj);
   if (!c.touching) {
-    end_contact(stone_on_stone_, relative, dt, c.history, contact_energy_);
+    end_contact(stone_on_stone_, -o.depth, relative, dt, c.history, contact_energy_);
     c.force.setZero();
     return;
   }
@@ -151,7 +151,7 @@ void Engine::touch(WallContact& c, double dt)
   const Vector3 relative =
       clumps_.step_velocity[c.i] + clumps_.step_spin[c.i].cross(ri) - wall.velocity;
   if (!c.touching) {
-    end_contact(wall.contact, relative, dt, c.history, contact_energy_);
+    end_contact(wall.contact, -o.depth, relative, dt, c.history, contact_energy_);
     c.force.setZero();
     return;
   }

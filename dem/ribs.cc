@@ -40,7 +40,8 @@ RibProximity rib_proximity(const Rib& rib, const Vector3& centre, double radius)
 
   // Section axes, made perpendicular to the chord so that the nearest point is exact.
   const Vector3 e1 = chord / std::sqrt(length_squared);
-  const Vector3 e2 = (rib.width_axis - rib.width_axis.dot(e1) * e1).normalized();
+  const Vector3 width = (1 - result.xi) * rib.width_axis[0] + result.xi * rib.width_axis[1];
+  const Vector3 e2 = (width - width.dot(e1) * e1).normalized();
   const Vector3 e3 = e1.cross(e2);
   const Vector3 d = centre - result.centre;
   const double core_width = rib.half_width - rib.rounding;
@@ -85,10 +86,11 @@ void RibContacts::update_list(const Clumps& clumps, const std::vector<Rib>& ribs
     }
     for (std::size_t r = 0; r < ribs.size(); ++r) {
       const double reach = section_reach(ribs[r]);
-      for (int end : {0, 1})
+      for (int end : {0, 1}) {
         rib_moved = std::max(rib_moved, (ribs[r].x[end] - rib_x_[2 * r + end]).squaredNorm());
-      rib_turned =
-          std::max(rib_turned, reach * reach * (ribs[r].width_axis - rib_axis_[r]).squaredNorm());
+        const Vector3 turn = ribs[r].width_axis[end] - rib_axis_[2 * r + end];
+        rib_turned = std::max(rib_turned, reach * reach * turn.squaredNorm());
+      }
     }
     const double used = std::sqrt(clump_moved) + 2 * std::sqrt(clump_turned) +
                         std::sqrt(rib_moved) + 2 * std::sqrt(rib_turned);
@@ -115,7 +117,7 @@ void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs)
   rib_axis_.clear();
   for (const Rib& rib : ribs) {
     rib_x_.insert(rib_x_.end(), {rib.x[0], rib.x[1]});
-    rib_axis_.push_back(rib.width_axis);
+    rib_axis_.insert(rib_axis_.end(), {rib.width_axis[0], rib.width_axis[1]});
   }
   old_contacts_.swap(contacts_);
   contacts_.clear();
@@ -243,7 +245,7 @@ void RibContacts::open(const Group& group, const Clumps& clumps, const std::vect
   RibContact& c = *group.contact;
   c.xi = group.nearest.xi;
   const Vector3 relative = relative_velocity(c, clumps, ribs[group.rib]);
-  end_contact(contact_, relative, time_step, c.history, energy);
+  end_contact(contact_, -group.nearest.overlap, relative, time_step, c.history, energy);
   c.force.setZero();
   c.overlap = 0;
 }

@@ -21,7 +21,7 @@ struct Rib {
   Vector3 x[2];                                      // ends of the centre line [m]
   Vector3 v[2] = {Vector3::Zero(), Vector3::Zero()}; // [m/s]
   Vector3 w[2] = {Vector3::Zero(), Vector3::Zero()}; // spin of the section [rad/s]
-  Vector3 width_axis;                                // unit, about perpendicular to the centre line
+  Vector3 width_axis[2]; // of the section at the ends, unit, about normal to the centre line
 };
 
 // What a stone does to a rib.

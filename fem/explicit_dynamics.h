@@ -81,6 +81,11 @@ public:
   {
     return vector_at(position_, element_slot_[e] + end);
   }
+  // Rotation of one end of an element from the unloaded state.
+  Eigen::Quaterniond end_orientation(int e, int end) const
+  {
+    return quaternion_at(element_slot_[e] + end);
+  }
   Eigen::Vector3d velocity_at(int e, double xi) const { return interpolate(velocity_, e, xi); }
   Eigen::Vector3d spin_at(int e, double xi) const { return interpolate(spin_, e, xi); }
 

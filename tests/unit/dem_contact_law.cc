@@ -35,7 +35,7 @@ Impact impact(double damping_ratio, bool tension, double m, double k, double dt)
     v += dt * force.z() / m;
     result.largest_overlap = std::max(result.largest_overlap, -x);
   }
-  end_contact(pair, Vector3(0, 0, v), dt, history, energy);
+  end_contact(pair, x, Vector3(0, 0, v), dt, history, energy);
   result.restitution = v;
   result.dissipated = energy.damping;
   return result;
@@ -144,7 +144,7 @@ TEST(ContactLaw, StickSlipHysteresis)
 // A stuck, loaded pair turned rigidly through 2 pi about any axis: the spring turns with it.
 TEST(ContactLaw, SpringTurnsWithTheContact)
 {
-  const int steps = 20000;
+  const int steps = 100000;
   for (const Vector3& axis :
        {Vector3(0, 0, 1), Vector3(1, 0, 0), Vector3(1, -2, 0.5).normalized()}) {
     Vector3 spring(1e-5, 2e-5, 0);
@@ -156,6 +156,6 @@ TEST(ContactLaw, SpringTurnsWithTheContact)
       const Vector3 exact = Eigen::AngleAxisd(n * angle, axis) * first;
       ASSERT_LT((spring - exact).norm(), 1e-3 * first.norm()) << "step " << n;
     }
-    EXPECT_NEAR(spring.norm(), first.norm(), 1e-12 * first.norm());
+    EXPECT_NEAR(spring.norm(), first.norm(), 1e-10 * first.norm()); // rounding of 1e5 steps
   }
 }

@@ -27,7 +27,10 @@ Clumps top(const Vector3& spin)
 Vector3 spin_after(const Vector3& spin, double time, int steps)
 {
   Clumps clumps = top(spin);
-  for (int n = 0; n < steps; ++n) clumps.drift(0, time / steps);
+  for (int n = 0; n < steps; ++n) {
+    clumps.kick(0, time / steps, Vector3::Zero(), Vector3::Zero());
+    clumps.drift(0, time / steps);
+  }
   return clumps.rotation[0].transpose() * clumps.spin_of(0, clumps.angular_momentum[0]);
 }
 } // namespace

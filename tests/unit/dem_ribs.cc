@@ -1,0 +1,137 @@
+// Ribs: signed distance of a rounded rectangle, one contact a line, hand-over at junctions. Fails
+// when the nearest point, the choice of the rod or the merging of two lines at their junction is
+// wrong.
+#include "dem/ribs.h"
+
+#include "dem/random_stream.h"
+
+#include <gtest/gtest.h>
+
+using namespace interlock::dem;
+
+namespace
+{
+Rib rib(const Vector3& a, const Vector3& b, int line)
+{
+  Rib result;
+  result.line = line;
+  result.half_width = 2.5e-3;
+  result.half_thickness = 1.25e-3;
+  result.rounding = 0.5e-3;
+  result.x[0] = a;
+  result.x[1] = b;
+  result.width_axis[0] = result.width_axis[1] = Vector3::UnitZ().cross((b - a).normalized());
+  return result;
+}
+
+ClumpShape ball(double radius)
+{
+  ClumpShape shape;
+  shape.spheres = {{Vector3::Zero(), radius}};
+  shape.volume = 4 * M_PI / 3 * std::pow(radius, 3);
+  shape.unit_inertia = Vector3::Constant(0.4 * shape.volume * radius * radius);
+  return shape;
+}
+
+ContactProperties elastic(double k)
+{
+  ContactProperties pair;
+  pair.normal_stiffness = pair.tangential_stiffness = k;
+  return pair;
+}
+
+// Two lines of two rods each that cross at the origin, along x and along y.
+std::vector<Rib> cross()
+{
+  return {rib({-0.03, 0, 0}, {0, 0, 0}, 0), rib({0, 0, 0}, {0.03, 0, 0}, 0),
+          rib({0, -0.03, 0}, {0, 0, 0}, 1), rib({0, 0, 0}, {0, 0.03, 0}, 1)};
+}
+
+struct Outcome {
+  std::vector<RibWrench> wrenches;
+  Vector3 force = Vector3::Zero();
+};
+
+Outcome press(const Vector3& centre, double radius)
+{
+  Clumps clumps({ball(radius)});
+  clumps.add(0, 2650, centre, Quaternion::Identity());
+  RibContacts contacts(elastic(1e6));
+  const std::vector<Rib> ribs = cross();
+  contacts.update_list(clumps, ribs, 1e-6);
+  std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+  ContactEnergy energy;
+  Outcome result;
+  result.wrenches = contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy);
+  result.force = force[0];
+  return result;
+}
+} // namespace
+
+TEST(Ribs, DistanceToARoundedRectangle)
+{
+  const Rib r = rib({0, 0, 0}, {0.01, 0, 0}, 0);
+  // Above the flat face, beside the edge, off the corner, beyond the end.
+  EXPECT_NEAR(rib_proximity(r, {0.005, 0.001, 0.006}, 0.005).overlap, 0.25e-3, 1e-15);
+  EXPECT_NEAR(rib_proximity(r, {0.005, 0.007, 0}, 0.005).overlap, 0.5e-3, 1e-15);
+  const Vector3 corner(0.005, 2e-3, 0.75e-3), out = Vector3(0, 1, 1).normalized();
+  EXPECT_NEAR(rib_proximity(r, corner + 5e-3 * out, 0.005).overlap, 0.5e-3, 1e-15);
+  EXPECT_NEAR(rib_proximity(r, {0.014, 0, 0}, 0.004).overlap, 0.5e-3, 1e-15);
+  EXPECT_NEAR(rib_proximity(r, {0.0025, 0, 0.006}, 0.005).xi, 0.25, 1e-15);
+}
+
+// The normal is the gradient of the overlap, also on a rib whose section leans against its chord.
+TEST(Ribs, NormalIsTheGradientOfTheOverlap)
+{
+  RandomStream random(1);
+  for (int n = 0; n < 200; ++n) {
+    Rib r = rib({0, 0, 0}, 0.01 * random.direction(), 0);
+    r.width_axis[0] = r.width_axis[1] = random.direction();
+    const Vector3 x = 0.008 * random.direction();
+    const RibProximity p = rib_proximity(r, x, 0.004);
+    if (p.distance < 1e-4) continue;
+    for (int c = 0; c < 3; ++c) {
+      Vector3 step = Vector3::Zero();
+      step[c] = 1e-8;
+      const double slope =
+          (rib_proximity(r, x + step, 0.004).overlap - rib_proximity(r, x - step, 0.004).overlap) /
+          2e-8;
+      EXPECT_NEAR(slope, -p.normal[c], 1e-5);
+    }
+  }
+}
+
+TEST(Ribs, OneContactWhereRodsOfALineMeet)
+{
+  // Over the joint of the two rods of line 0, away from line 1.
+  Clumps clumps({ball(5e-3)});
+  clumps.add(0, 2650, {0.01, 0, 6e-3}, Quaternion::Identity());
+  const std::vector<Rib> ribs = {rib({0, 0, 0}, {0.01, 0, 0}, 0),
+                                 rib({0.01, 0, 0}, {0.02, 0, 0}, 0)};
+  RibContacts contacts(elastic(1e6));
+  contacts.update_list(clumps, ribs, 1e-6);
+  std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+  ContactEnergy energy;
+  EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
+  EXPECT_NEAR(force[0].z(), 1e6 * 0.25e-3, 1e-9);
+}
+
+TEST(Ribs, OneContactOnAJunctionTwoInItsCorner)
+{
+  // On top of the junction the two ribs are one body.
+  const Outcome top = press({0.3e-3, -0.2e-3, 6e-3}, 5e-3);
+  EXPECT_EQ(top.wrenches.size(), 1u);
+  EXPECT_NEAR(top.force.z(), 1e6 * 0.25e-3, 1e-9);
+  // In the corner between them it leans on both.
+  const Outcome corner = press({7.4e-3, 7.4e-3, 0}, 5e-3);
+  EXPECT_EQ(corner.wrenches.size(), 2u);
+  EXPECT_NEAR(corner.force.x(), 100, 1e-9);
+  EXPECT_NEAR(corner.force.y(), 100, 1e-9);
+}
+
+TEST(Ribs, WrenchIsTheReactionOfTheForceOnTheStone)
+{
+  const Outcome o = press({6e-3, 2.2e-3, 5.5e-3}, 5e-3);
+  ASSERT_EQ(o.wrenches.size(), 1u);
+  EXPECT_LT((o.wrenches[0].force + o.force).norm(), 1e-12 * o.force.norm());
+}
