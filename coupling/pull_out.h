@@ -40,8 +40,10 @@ private:
   void warn(const std::string& sentence);
 
   void fill_to(double height, double margin, const std::string& stage);
-  bool settle(double at_least, double fraction_begin);
-  double settled_energy() const;
+  enum class Settling { between_pours, before_pull };
+  bool settle(double at_least, double fraction_begin, Settling settling);
+  double settled_energy(Settling settling) const;
+  void settle_before_pull();
   void press_surface(double height);
   void place_geogrid();
   void clear_ribs();

@@ -129,8 +129,8 @@ void declare_filling(ParameterTable& table, FillingParameters& filling)
                 "Share of the unbalanced force taken from stones in contact until the pull starts "
                 "(Cundall's local damping), so that they settle sooner. [-]");
   table.require("Kinetic energy ratio", filling.kinetic_energy_ratio, positive,
-                "Settled when the kinetic energy is below this share of total weight x mean stone "
-                "size. [-]");
+                "Settled, ready for the pull, when the kinetic energy is below this share of total "
+                "weight x mean stone size; ten times as much is enough between two pours. [-]");
   table.require(
       "Settling time limit", filling.settling_time_limit, positive,
       "A settling stage ends after this simulated time at the latest, with a warning. [s]");

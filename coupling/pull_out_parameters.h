@@ -64,8 +64,8 @@ struct FillingParameters {
   double plate_speed = 0;       // of the flattening plate [m/s]
   double plate_force_limit = 0; // the plate stops pressing there [N]
   double local_damping = 0;     // of stones in contact, until the pull starts [-]
-  double kinetic_energy_ratio =
-      0;                          // settled when E_kin < ratio * total weight * mean stone size [-]
+  // Settled before the pull when E_kin < ratio * total weight * mean stone size [-].
+  double kinetic_energy_ratio = 0;
   double settling_time_limit = 0; // each settling stage ends there, with a warning [s]
 };
 
