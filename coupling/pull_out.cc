@@ -125,10 +125,10 @@ Summary PullOut::run(const std::filesystem::path& output)
   const bool flattened = parameters_.geogrid.placement == "flattened";
   const double underside = geogrid_height_ - 0.5 * parameters_.geogrid.rib_thickness;
   // A surface that is to be pressed flat starts with less standing out of it.
-  fill_to(underside, (flattened ? -0.25 : 0.25) * mean_size_, "fill lower half");
+  fill_to(underside, flattened ? 0 : 0.25 * mean_size_, "fill lower half");
   if (flattened) press_surface(underside);
   place_geogrid();
-  fill_to(parameters_.box.height, 0.25 * mean_size_, "fill upper half");
+  fill_to(parameters_.box.height, 0.5 * mean_size_, "fill upper half");
   if (parameters_.surcharge.force > 0) add_surcharge();
   settle_before_pull();
   pull(output);

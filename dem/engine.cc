@@ -10,7 +10,7 @@ struct Overlap {
   Vector3 point;  // mid-overlap, world [m]
 };
 
-Overlap sphere_overlap(const Vector3& xa, double ra, const Vector3& xb, double rb)
+inline Overlap sphere_overlap(const Vector3& xa, double ra, const Vector3& xb, double rb)
 {
   const Vector3 d = xa - xb;
   const double distance = d.norm();
