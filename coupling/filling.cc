@@ -117,6 +117,7 @@ double Filling::surface_height() const
   std::vector<double> top(nx * ny, 0.);
   const dem::Clumps& clumps = engine_.clumps();
   for (int i = 0; i < clumps.size(); ++i) {
+    if (!is_stone(i)) continue;
     const std::vector<dem::Sphere>& spheres = clumps.shape_of(i).spheres;
     for (std::size_t a = 0; a < spheres.size(); ++a) {
       const Vector3 c = clumps.position[i] + clumps.member_offset(i, a);
@@ -146,11 +147,25 @@ std::vector<bool> Filling::above(double height) const
   return result;
 }
 
+std::vector<bool> Filling::lost() const
+{
+  const dem::Clumps& clumps = engine_.clumps();
+  std::vector<bool> result(clumps.size());
+  for (int i = 0; i < clumps.size(); ++i)
+    result[i] = clumps.position[i].z() < -clumps.bounding_radius(i);
+  return result;
+}
+
+// The shapes of the surcharge come after those of the stones.
+bool Filling::is_stone(int i) const
+{
+  return engine_.clumps().shape[i] < n_shapes_;
+}
+
 bool Filling::in_box(int i) const
 {
   const Vector3& x = engine_.clumps().position[i];
-  // Surcharge spheres are not stones: their shapes come after those of the stones.
-  return engine_.clumps().shape[i] < n_shapes_ && x.x() > 0 && x.x() < box_.length;
+  return is_stone(i) && x.x() > 0 && x.x() < box_.length && x.z() > 0;
 }
 
 double Filling::mass_in_box() const

@@ -37,11 +37,16 @@ public:
   // of vertical rays 5 mm apart, floor where a ray meets no stone [m].
   double surface_height() const;
 
+  // Marks what has fallen out of the box, through the slot.
+  std::vector<bool> lost() const;
+
   // Marks stones whose centre of mass is above `height` [m].
   std::vector<bool> above(double height) const;
 
   double mass_in_box() const;             // stones with their centre inside the box [kg]
   double mass_above(double height) const; // the same, with their centre above `height` [kg]
+
+  bool is_stone(int clump) const; // false for a sphere of the surcharge
 
 private:
   dem::Vector3 lowest_place(double radius, double floor, const std::vector<int>& poured);

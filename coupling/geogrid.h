@@ -38,9 +38,9 @@ public:
   void apply(const std::vector<dem::RibWrench>& wrenches);
 
   // Number of equal sub-steps in a step `dt` that keeps beams and the contacts of `contacts`
-  // stable: 1/h^2 = 1/h_beam^2 + the largest sum, over the contacts at one node, of k N^2 (1/m +
-  // arm^2/J) / 4, with a margin of 0.8 and the dashpot's factor sqrt(1 + z^2) - z. At least 2; 1
-  // for a rigid geogrid.
+  // stable: 1/h^2 = 1/h_beam^2 + the largest sum, over the contacts at one node, of k N (1/m +
+  // arm^2/J) / 4, with the dashpot's factor sqrt(1 + z^2) - z and a margin of 0.75 (a dashpot at a
+  // lever arm shortens the step more than that factor says). At least 2; 1 for a rigid geogrid.
   int required_substeps(double dt, const dem::RibContacts& contacts) const;
 
   double mass() const { return lattice_->mass(); } // [kg]

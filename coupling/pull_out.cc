@@ -112,8 +112,19 @@ void PullOut::step(double fraction, EnergyLedger* ledger)
   loop_->advance(dt_, clamp_velocity_, ledger);
   time_ += dt_;
   ++steps_;
+  if (steps_ % 1000 == 0) drop_lost_stones();
   if (monitor_.progress && steps_ % 100 == 0)
     monitor_.progress({summary_.stages.back().name, fraction, time_, steps_});
+}
+
+// A stone that left through the slot would fall for ever.
+void PullOut::drop_lost_stones()
+{
+  const std::vector<bool> lost = filling_->lost();
+  const auto n = std::count(lost.begin(), lost.end(), true);
+  if (n == 0) return;
+  n_lost_ += static_cast<int>(n);
+  loop_->remove_clumps(lost);
 }
 
 Summary PullOut::run(const std::filesystem::path& output)
@@ -144,15 +155,12 @@ void PullOut::fill_to(double height, double margin, const std::string& stage)
   begin_stage(stage);
   const double area = parameters_.box.length * parameters_.box.width;
   // Rather too much than another round: the excess is taken off.
-  const double expected_bulk_density = 0.66 * parameters_.stones.density;
+  const double expected_bulk_density = 0.62 * parameters_.stones.density;
   double surface = filling_->surface_height();
   const double close_enough = 0.2 * mean_size_;
   for (int round = 0; round < 8 && surface < height - close_enough; ++round) {
     const double fall_time = filling_->pour(expected_bulk_density * area * (height - surface));
-    if (!settle(fall_time, 0, Settling::between_pours))
-      warn("The stones had not settled at the end of the settling time limit of " +
-           text("%.3g", parameters_.filling.settling_time_limit) + " s in stage \"" + stage +
-           "\".");
+    settle(fall_time, 0, Settling::between_pours);
     surface = filling_->surface_height();
   }
   const std::vector<bool> excess = filling_->above(height + margin);
@@ -171,13 +179,13 @@ double PullOut::settled_energy(Settling settling) const
   const double looseness = settling == Settling::between_pours ? 10 : 1;
   double weight = 0;
   for (int i = 0; i < engine_->clumps().size(); ++i)
-    weight += engine_->clumps().mass[i] * parameters_.gravity;
+    if (filling_->is_stone(i)) weight += engine_->clumps().mass[i] * parameters_.gravity;
   return looseness * parameters_.filling.kinetic_energy_ratio * weight * mean_size_;
 }
 
 // Runs for at least `at_least` seconds and then until the kinetic energy is low. False when the
 // limit came first.
-bool PullOut::settle(double at_least, double fraction_begin, Settling settling)
+void PullOut::settle(double at_least, double fraction_begin, Settling settling)
 {
   const double start = time_, limit = at_least + parameters_.filling.settling_time_limit;
   const double target = settled_energy(settling);
@@ -189,19 +197,22 @@ bool PullOut::settle(double at_least, double fraction_begin, Settling settling)
       if (!std::isfinite(kinetic))
         throw std::runtime_error("The simulation became unstable at t = " + text("%.6f", time_) +
                                  " s; lower Time/Safety factor.");
-      if (time_ - start >= at_least && kinetic < target) return true;
+      if (time_ - start >= at_least && kinetic < target) return;
     }
   }
-  return false;
+  warn("The stones had not settled after " + text("%.3g", limit) + " s in stage \"" +
+       summary_.stages.back().name + "\".");
 }
 
 void PullOut::settle_before_pull()
 {
   begin_stage("settle");
-  if (!settle(0.02, 0, Settling::before_pull))
-    warn("The stones had not settled at the end of the settling time limit of " +
-         text("%.3g", parameters_.filling.settling_time_limit) + " s before the pull.");
-  const dem::StableStep live = engine_->stable_step();
+  settle(0.02, 0, Settling::before_pull);
+  // Local damping also holds stones up a little; let them find their place without it.
+  engine_->set_local_damping(0);
+  settle(0.02, 0.5, Settling::before_pull);
+  const dem::StableStep live = engine_->stable_step(&loop_->rib_contacts());
+  describe_packing();
   end_stage("kinetic energy " + text("%.2g", engine_->kinetic_energy()) + " J; live stable step " +
             text("%.3g", 1e6 * live.step) + " us, set by a stone of " +
             text("%.1f", 1e3 * live.mass) + " g with " + std::to_string(live.contacts) +
@@ -316,8 +327,7 @@ void PullOut::add_surcharge()
                          {(i + 0.5) * parameters_.box.length / nx,
                           (j + 0.5) * parameters_.box.width / ny, top + radius},
                          dem::Quaternion::Identity());
-  if (!settle(0.1, 0, Settling::between_pours))
-    warn("The surcharge had not settled when its time limit ended.");
+  settle(0.1, 0, Settling::between_pours);
   end_stage(std::to_string(nx * ny) + " spheres of " + text("%.0f", 2e3 * radius) + " mm, " +
             text("%.1f", parameters_.surcharge.force) + " N in all");
 }

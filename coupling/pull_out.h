@@ -41,9 +41,12 @@ private:
 
   void fill_to(double height, double margin, const std::string& stage);
   enum class Settling { between_pours, before_pull };
-  bool settle(double at_least, double fraction_begin, Settling settling);
+  void settle(double at_least, double fraction_begin, Settling settling);
   double settled_energy(Settling settling) const;
   void settle_before_pull();
+  void describe_packing();
+  void drop_lost_stones();
+  void watch_pull();
   void press_surface(double height);
   void place_geogrid();
   void clear_ribs();
@@ -76,8 +79,11 @@ private:
   // Of the pull.
   double impulse_ = 0, impulse_time_ = 0; // of the pull force since the last record [N s], [s]
   std::vector<double> record_forces_;     // means between records [N]
+  std::vector<double> filtered_forces_;   // means over the last millimetre [N]
   std::vector<double> record_displacements_;
   EnergyLedger ledger_at_pull_, ledger_;
-  double largest_overlap_ = 0; // in the pull [m]
+  double largest_overlap_ = 0;          // in the pull, of all contacts [m]
+  double smallest_stable_step_ = 1e300; // at the records of the pull [s]
+  int n_lost_ = 0;                      // stones that fell out of the slot
 };
 } // namespace interlock::coupling

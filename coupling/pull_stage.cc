@@ -54,7 +54,6 @@ double mean_over_window(const std::vector<double>& position, const std::vector<d
 void PullOut::pull(const std::filesystem::path& output)
 {
   begin_stage("pull");
-  engine_->set_local_damping(0);
   const PullParameters& p = parameters_.pull;
   const double duration = p.distance / p.speed + 0.5 * p.ramp_time;
   History history(output / "history.csv", history_columns());
@@ -68,7 +67,7 @@ void PullOut::pull(const std::filesystem::path& output)
     const bool over = displacement >= p.distance;
     const bool record_now = over || progress * n_records >= next_record;
     step(progress, record_now ? &ledger_ : nullptr);
-    largest_overlap_ = std::max(largest_overlap_, engine_->largest_overlap());
+    watch_pull();
     impulse_ -= loop_->clamp_force().x() * dt_;
     impulse_time_ += dt_;
     if (record_now) {
@@ -91,6 +90,31 @@ void PullOut::pull(const std::filesystem::path& output)
                      mean_over_window(record_displacements_, record_forces_, 1e-3)));
 }
 
+void PullOut::watch_pull()
+{
+  largest_overlap_ = std::max(largest_overlap_, engine_->largest_overlap());
+  for (const dem::RibContact& c : loop_->rib_contacts().contacts())
+    largest_overlap_ = std::max(largest_overlap_, c.overlap);
+}
+
+// The state that the pull starts from.
+void PullOut::describe_packing()
+{
+  const BoxParameters& box = parameters_.box;
+  const double mass = filling_->mass_in_box(), surface = filling_->surface_height();
+  const double stones = static_cast<double>(engine_->clumps().size());
+  nlohmann::ordered_json& results = summary_.results;
+  results["rigid"] = parameters_.geogrid.rigid;
+  results["placement"] = parameters_.geogrid.placement;
+  results["stones"] = stones;
+  results["mass_in_box_kg"] = mass;
+  results["mass_above_geogrid_kg"] = filling_->mass_above(geogrid_height_);
+  results["mean_surface_height_m"] = surface;
+  results["bulk_density_kg_per_m3"] = mass / (box.length * box.width * surface);
+  results["rms_speed_before_pull_m_per_s"] = std::sqrt(2 * engine_->kinetic_energy() / mass);
+  results["surcharge_N"] = parameters_.surcharge.force;
+}
+
 void PullOut::record(History& history, double displacement)
 {
   const fem::ExplicitDynamics& dynamics = geogrid_->dynamics();
@@ -98,6 +122,9 @@ void PullOut::record(History& history, double displacement)
   record_displacements_.push_back(displacement);
   record_forces_.push_back(impulse_ / impulse_time_);
   impulse_ = impulse_time_ = 0;
+  filtered_forces_.push_back(mean_over_window(record_displacements_, record_forces_, 1e-3));
+  const dem::StableStep live = engine_->stable_step(&loop_->rib_contacts());
+  if (live.step > 0) smallest_stable_step_ = std::min(smallest_stable_step_, live.step);
   if (!std::isfinite(record_forces_.back()))
     throw std::runtime_error(sentence("The simulation became unstable at t = %.6f s (step %.3g s); "
                                       "lower Time/Safety factor.",
@@ -121,7 +148,7 @@ void PullOut::record(History& history, double displacement)
   std::vector<double> row = {time_,
                              displacement,
                              record_forces_.back(),
-                             mean_over_window(record_displacements_, record_forces_, 1e-3),
+                             filtered_forces_.back(),
                              rear / n_rear,
                              axial,
                              static_cast<double>(engine_->n_touching_spheres()),
@@ -136,7 +163,6 @@ void PullOut::record(History& history, double displacement)
 void PullOut::collect_results()
 {
   const dem::Clumps& clumps = engine_->clumps();
-  const BoxParameters& box = parameters_.box;
   Summary& s = summary_;
   s.experiment = "pull-out";
   s.seed = parameters_.filling.seed;
@@ -154,34 +180,41 @@ void PullOut::collect_results()
   s.energy["residual_J"] = ledger_.residual();
   s.energy["work_put_in_J"] = ledger_.work_put_in();
   s.energy["relative_error"] = ledger_.relative_error();
+  s.energy["interface_residual_J"] = ledger_.interface_residual();
+  s.energy["pull_interface_residual_J"] = pull.interface_residual();
   s.energy["pull_clamp_work_J"] = pull.clamp_work;
   s.energy["pull_residual_J"] = pull.residual();
   s.energy["pull_relative_error"] =
       pull.clamp_work != 0 ? std::abs(pull.residual() / pull.clamp_work) : 0;
 
-  const double mass = filling_->mass_in_box(), surface = filling_->surface_height();
-  const auto peak = std::max_element(record_forces_.begin(), record_forces_.end());
-  s.results["rigid"] = parameters_.geogrid.rigid;
-  s.results["placement"] = parameters_.geogrid.placement;
-  s.results["mass_in_box_kg"] = mass;
-  s.results["mass_above_geogrid_kg"] = filling_->mass_above(geogrid_height_);
-  s.results["mean_surface_height_m"] = surface;
-  s.results["bulk_density_kg_per_m3"] = mass / (box.length * box.width * surface);
+  // The very first record holds one step only.
+  const auto peak = std::max_element(filtered_forces_.begin() + 1, filtered_forces_.end());
+  const auto raw_peak = std::max_element(record_forces_.begin() + 1, record_forces_.end());
   s.results["mean_sphere_radius_m"] = mean_sphere_radius_;
   s.results["largest_overlap_m"] = largest_overlap_;
   s.results["largest_overlap_over_mean_sphere_radius"] = largest_overlap_ / mean_sphere_radius_;
-  s.results["surcharge_N"] = parameters_.surcharge.force;
   s.results["pull_speed_m_per_s"] = parameters_.pull.speed;
   s.results["pull_distance_m"] = record_displacements_.back();
-  s.results["pull_force_at_end_N"] = mean_over_window(record_displacements_, record_forces_, 1e-3);
+  // Filtered: mean over the last millimetre. Raw: mean between two records.
+  s.results["pull_force_at_end_N"] = filtered_forces_.back();
   s.results["peak_pull_force_N"] = *peak;
-  s.results["displacement_at_peak_m"] = record_displacements_[peak - record_forces_.begin()];
+  s.results["displacement_at_peak_m"] = record_displacements_[peak - filtered_forces_.begin()];
+  s.results["peak_pull_force_between_records_N"] = *raw_peak;
+  s.results["mean_surface_height_after_pull_m"] = filling_->surface_height();
+  s.results["smallest_stable_step_s"] = smallest_stable_step_;
+  s.results["stones_lost_through_slot"] = n_lost_;
   s.results["substeps"] = loop_->substeps();
 
-  const dem::StableStep live = engine_->stable_step();
-  if (dt_ > live.step)
-    warn(sentence("The time step of %.3g s is above the live stable step of %.3g s.", dt_,
-                  live.step));
+  if (dt_ > smallest_stable_step_)
+    warn(sentence("The time step of %.3g s was above the live stable step of %.3g s.", dt_,
+                  smallest_stable_step_));
+  if (n_lost_ > 0)
+    warn(std::to_string(n_lost_) + " stones fell out of the slot and were taken out.");
+  const double pull_error = s.energy["pull_relative_error"];
+  if (pull_error > 0.01)
+    warn(sentence("The energy ledger of the pull leaves its bound: error %.2g of the clamp's work, "
+                  "bound %.2g.",
+                  pull_error, 0.01));
   if (ledger_.relative_error() > 0.01)
     warn(sentence("The energy ledger leaves its bound: error %.2g of the work put in, bound %.2g.",
                   ledger_.relative_error(), 0.01));

@@ -17,6 +17,8 @@ void StaggeredStep::place_geogrid(Geogrid& geogrid)
 
 void StaggeredStep::remove_clumps(const std::vector<bool>& remove)
 {
+  // Their springs at ribs go with them.
+  geogrid_inserted_ -= rib_contacts_.elastic_energy_of(remove);
   rib_contacts_.renumber_clumps(engine_.remove_clumps(remove));
 }
 
@@ -33,7 +35,8 @@ void StaggeredStep::advance(double dt, const dem::Vector3& clamp_velocity, Energ
     for (const int i : rib_contacts_.near_clumps()) near_rib_[i] = true;
   }
   for (int i = 0; i < clumps.size(); ++i) {
-    engine_.kick(i, dt);
+    // The unbalanced force of a stone on a rib is not known here, so it is not damped.
+    engine_.kick(i, dt, !near_rib_[i]);
     if (!near_rib_[i]) clumps.drift(i, dt);
   }
   if (geogrid_) {

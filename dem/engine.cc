@@ -162,13 +162,14 @@ void Engine::touch(WallContact& c, double dt)
   clumps_.force[c.i] += c.force;
   clumps_.torque[c.i] += ri.cross(c.force);
   wall.force -= c.force;
+  largest_overlap_ = std::max(largest_overlap_, o.depth);
 }
 
-void Engine::kick(int i, double dt)
+void Engine::kick(int i, double dt, bool damped)
 {
   Vector3 force = clumps_.force[i] - clumps_.mass[i] * gravity_vector_;
   Vector3 torque = clumps_.torque[i];
-  if (local_damping_ > 0 && clumps_.force[i] != Vector3::Zero()) {
+  if (damped && local_damping_ > 0 && clumps_.force[i] != Vector3::Zero()) {
     // Signs and work are those of the velocity before the kick.
     const Vector3 damping_force =
         local_damping_ * force.cwiseAbs().cwiseProduct(clumps_.velocity[i].cwiseSign());
@@ -258,7 +259,7 @@ double Engine::kinetic_energy() const
   return kinetic;
 }
 
-StableStep Engine::stable_step() const
+StableStep Engine::stable_step(const RibContacts* ribs) const
 {
   std::vector<double> rate(clumps_.size(), 0.); // bound of omega^2 [1/s2]
   std::vector<int> contacts(clumps_.size(), 0);
@@ -276,6 +277,9 @@ StableStep Engine::stable_step() const
     }
   for (const WallContact& c : lists_.wall_contacts())
     if (c.touching) add(c.i, c.point, walls_[c.wall].contact);
+  if (ribs)
+    for (const RibContact& c : ribs->contacts())
+      if (c.overlap > 0) add(c.i, c.point, ribs->properties());
 
   StableStep limit;
   double largest = 0;

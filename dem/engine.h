@@ -8,6 +8,7 @@
 #pragma once
 
 #include "dem/neighbour_lists.h"
+#include "dem/ribs.h"
 
 #include <optional>
 
@@ -62,7 +63,8 @@ public:
   void compute_forces(double dt);
 
   // Adds the impulse of the computed forces and of gravity.
-  void kick(int clump, double dt);
+  // `damped` false leaves out local damping, for a clump that other forces act on as well.
+  void kick(int clump, double dt, bool damped = true);
   // Local damping (Cundall 1987) of clumps that touch something, to settle a packing faster: each
   // component of the unbalanced force and torque is lowered by this share of its size where it
   // speeds the clump up, and raised where it slows it down. 0 switches it off [-].
@@ -79,9 +81,10 @@ public:
   double kinetic_energy() const;
 
   // Bound 2/omega on the stable step from the present contacts: Gershgorin's bound of the stiffness
-  // of a clump, sum over contacts of k_n + 2 k_t over the mass and arm^2 times the same over the
-  // smallest clump, [1/s2]).
-  StableStep stable_step() const;
+  // of a clump, the sum over its contacts of k/mass + k_t arm^2/(smallest principal inertia), k the
+  // larger of k_n and k_t, doubled because the partner moves too. Dashpots are left to the safety
+  // factor. `ribs` adds the contacts with ribs.
+  StableStep stable_step(const RibContacts* ribs = nullptr) const;
   // The same bound before there are contacts, for the lightest shape, if it had `n_contacts`
   // contacts at its bounding radius.
   StableStep expected_stable_step(const std::vector<double>& densities, int n_contacts) const;
@@ -89,7 +92,8 @@ public:
   std::vector<SphereContact>& sphere_contacts() { return lists_.sphere_contacts(); }
   const std::vector<SphereContact>& sphere_contacts() const { return lists_.sphere_contacts(); }
   const std::vector<WallContact>& wall_contacts() const { return lists_.wall_contacts(); }
-  // Counts, and the largest overlap between stones [m], of the last compute_forces.
+  // Counts, and the largest overlap of stones with stones and walls [m], of the last
+  // compute_forces.
   int n_touching_spheres() const { return n_touching_; }
   double largest_overlap() const { return largest_overlap_; }
 

@@ -76,6 +76,15 @@ void RibContacts::renumber_clumps(const std::vector<int>& new_index)
 
 void RibContacts::update_list(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step)
 {
+  // Clumps or ribs may have come since the list was made.
+  if (clump_x_.size() != clumps.position.size() || rib_x_.size() != 2 * ribs.size()) valid_ = false;
+  double fastest = 0;
+  for (int i = 0; i < clumps.size(); ++i)
+    fastest = std::max(fastest,
+                       clumps.velocity[i].norm() + clumps.spin[i].norm() * clumps.member_reach(i));
+  for (const Rib& rib : ribs)
+    for (int end : {0, 1})
+      fastest = std::max(fastest, rib.v[end].norm() + rib.w[end].norm() * section_reach(rib));
   if (valid_) {
     double clump_moved = 0, clump_turned = 0, rib_moved = 0, rib_turned = 0;
     for (int i = 0; i < clumps.size(); ++i) {
@@ -94,16 +103,10 @@ void RibContacts::update_list(const Clumps& clumps, const std::vector<Rib>& ribs
     }
     const double used = std::sqrt(clump_moved) + 2 * std::sqrt(clump_turned) +
                         std::sqrt(rib_moved) + 2 * std::sqrt(rib_turned);
-    if (used <= skin_) return;
+    // The list serves the sub-steps of the whole step to come.
+    if (used + 2 * fastest * time_step <= skin_) return;
   }
 
-  double fastest = 0;
-  for (int i = 0; i < clumps.size(); ++i)
-    fastest = std::max(fastest,
-                       clumps.velocity[i].norm() + clumps.spin[i].norm() * clumps.member_reach(i));
-  for (const Rib& rib : ribs)
-    for (int end : {0, 1})
-      fastest = std::max(fastest, rib.v[end].norm() + rib.w[end].norm() * section_reach(rib));
   skin_ = std::clamp(2 * fastest * time_step * 40, 1e-4, 1e-3);
   build(clumps, ribs);
   valid_ = true;
@@ -170,7 +173,8 @@ void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs)
     while (old != old_contacts_.end() && key(*old) < key(c)) ++old;
     if (old == old_contacts_.end()) break;
     if (key(*old) == key(c))
-      c.history = old->history, c.force = old->force, c.rib = old->rib, c.overlap = old->overlap;
+      c.history = old->history, c.force = old->force, c.rib = old->rib, c.xi = old->xi,
+      c.point = old->point, c.arm = old->arm, c.overlap = old->overlap;
   }
 }
 
@@ -200,28 +204,47 @@ const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
     const bool last_of_sphere =
         g + 1 == contacts_.size() || contacts_[g + 1].i != c.i || contacts_[g + 1].a != c.a;
     if (!last_of_sphere) continue;
-    if (touching_.size() > 1) merge_at_junctions(ribs);
+    if (touching_.size() > 1) merge_at_junctions(ribs, energy);
     for (const Group& t : touching_) touch(t, clumps, ribs, time_step, force, torque, energy);
     touching_.clear();
   }
   return wrenches_;
 }
 
+double RibContacts::elastic_energy(const RibContact& c) const
+{
+  if (c.overlap <= 0) return 0;
+  return 0.5 * contact_.normal_stiffness * c.overlap * c.overlap +
+         0.5 * contact_.tangential_stiffness * c.history.spring.squaredNorm();
+}
+
+double RibContacts::elastic_energy_of(const std::vector<bool>& clumps) const
+{
+  double sum = 0;
+  for (const RibContact& c : contacts_)
+    if (clumps[c.i]) sum += elastic_energy(c);
+  return sum;
+}
+
 // Where two lines cross, their solids share the junction. A sphere on the shared part touches one
 // body, not two: the contact with less overlap is dropped and hands its history to the other.
-void RibContacts::merge_at_junctions(const std::vector<Rib>& ribs)
+void RibContacts::merge_at_junctions(const std::vector<Rib>& ribs, ContactEnergy& energy)
 {
   for (std::size_t m = 0; m < touching_.size(); ++m)
     for (std::size_t n = m + 1; n < touching_.size();) {
       Group &a = touching_[m], &b = touching_[n];
-      const bool shared = distance_to_core(ribs[b.rib], a.nearest.core) < ribs[b.rib].rounding ||
-                          distance_to_core(ribs[a.rib], b.nearest.core) < ribs[a.rib].rounding;
+      const double solid = std::max(1e-6, std::min(ribs[a.rib].rounding, ribs[b.rib].rounding));
+      const bool shared = distance_to_core(ribs[b.rib], a.nearest.core) < solid ||
+                          distance_to_core(ribs[a.rib], b.nearest.core) < solid;
       if (!shared) {
         ++n;
         continue;
       }
       if (b.nearest.overlap > a.nearest.overlap) std::swap(a, b);
-      if (a.contact->overlap <= 0) a.contact->history = b.contact->history;
+      if (a.contact->overlap <= 0)
+        a.contact->history = b.contact->history;
+      else if (b.contact->overlap > 0) // both touched before they became one: what b stored is lost
+        energy.damping += elastic_energy(*b.contact);
       b.contact->history = ContactHistory();
       b.contact->force.setZero();
       b.contact->overlap = 0;

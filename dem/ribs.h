@@ -84,6 +84,8 @@ public:
   const std::vector<int>& near_ribs() const { return near_ribs_; }
   const std::vector<RibContact>& contacts() const { return contacts_; }
   const ContactProperties& properties() const { return contact_; }
+  // Energy in the springs of the contacts of the marked clumps, at the last evaluation [J].
+  double elastic_energy_of(const std::vector<bool>& clumps) const;
 
 private:
   struct Group {
@@ -100,7 +102,8 @@ private:
             double time_step, ContactEnergy& energy);
   // Of the clump against the rib at the contact point [m/s].
   Vector3 relative_velocity(const RibContact& contact, const Clumps& clumps, const Rib& rib) const;
-  void merge_at_junctions(const std::vector<Rib>& ribs);
+  void merge_at_junctions(const std::vector<Rib>& ribs, ContactEnergy& energy);
+  double elastic_energy(const RibContact& contact) const; // [J]
 
   ContactProperties contact_;
   bool valid_ = false;

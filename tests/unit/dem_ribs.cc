@@ -135,3 +135,34 @@ TEST(Ribs, WrenchIsTheReactionOfTheForceOnTheStone)
   ASSERT_EQ(o.wrenches.size(), 1u);
   EXPECT_LT((o.wrenches[0].force + o.force).norm(), 1e-12 * o.force.norm());
 }
+
+// A clump that comes after the list was made must be found at the next update, wherever it comes.
+TEST(Ribs, ListSeesNewClumps)
+{
+  Clumps clumps({ball(5e-3)});
+  const std::vector<Rib> ribs = cross();
+  clumps.add(0, 2650, {0.02, 0.05, 0.03}, Quaternion::Identity());
+  RibContacts contacts(elastic(1e6));
+  contacts.update_list(clumps, ribs, 1e-6);
+  EXPECT_TRUE(contacts.near_clumps().empty());
+  clumps.add(0, 2650, {0.015, 0, 6e-3}, Quaternion::Identity());
+  contacts.update_list(clumps, ribs, 1e-6);
+  ASSERT_EQ(contacts.near_clumps(), std::vector<int>{1});
+  std::vector<Vector3> force(2, Vector3::Zero()), torque(2, Vector3::Zero());
+  ContactEnergy energy;
+  EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
+}
+
+// Ribs with sharp edges are one body at their junction too.
+TEST(Ribs, SharpEdgesAreMergedToo)
+{
+  Clumps clumps({ball(5e-3)});
+  clumps.add(0, 2650, {0.3e-3, -0.2e-3, 6e-3}, Quaternion::Identity());
+  std::vector<Rib> ribs = cross();
+  for (Rib& r : ribs) r.rounding = 0;
+  RibContacts contacts(elastic(1e6));
+  contacts.update_list(clumps, ribs, 1e-6);
+  std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+  ContactEnergy energy;
+  EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
+}
