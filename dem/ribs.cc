@@ -20,7 +20,27 @@ double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b)
 
 double section_reach(const Rib& rib)
 {
-  return std::hypot(rib.half_width, rib.half_thickness);
+  return std::sqrt(rib.half_width * rib.half_width + rib.half_thickness * rib.half_thickness);
+}
+
+// A bound on the speed of any point of a clump or a rib [m/s]: translation and rotation apart, so
+// that one root serves all.
+double fastest_point(const Clumps& clumps, const std::vector<Rib>& ribs)
+{
+  double moving = 0, turning = 0;
+  for (int i = 0; i < clumps.size(); ++i) {
+    const double reach = clumps.member_reach(i);
+    moving = std::max(moving, clumps.velocity[i].squaredNorm());
+    turning = std::max(turning, reach * reach * clumps.spin[i].squaredNorm());
+  }
+  for (const Rib& rib : ribs) {
+    const double reach = section_reach(rib);
+    for (int end : {0, 1}) {
+      moving = std::max(moving, rib.v[end].squaredNorm());
+      turning = std::max(turning, reach * reach * rib.w[end].squaredNorm());
+    }
+  }
+  return std::sqrt(moving) + std::sqrt(turning);
 }
 
 // Distance from a point to the flat core of a rib.
@@ -78,13 +98,7 @@ void RibContacts::update_list(const Clumps& clumps, const std::vector<Rib>& ribs
 {
   // Clumps or ribs may have come since the list was made.
   if (clump_x_.size() != clumps.position.size() || rib_x_.size() != 2 * ribs.size()) valid_ = false;
-  double fastest = 0;
-  for (int i = 0; i < clumps.size(); ++i)
-    fastest = std::max(fastest,
-                       clumps.velocity[i].norm() + clumps.spin[i].norm() * clumps.member_reach(i));
-  for (const Rib& rib : ribs)
-    for (int end : {0, 1})
-      fastest = std::max(fastest, rib.v[end].norm() + rib.w[end].norm() * section_reach(rib));
+  const double fastest = fastest_point(clumps, ribs);
   if (valid_) {
     double clump_moved = 0, clump_turned = 0, rib_moved = 0, rib_turned = 0;
     for (int i = 0; i < clumps.size(); ++i) {
