@@ -4,6 +4,7 @@
 #include "apps/parameter_file.h"
 #include "apps/template_command.h"
 #include "dem/input_error.h"
+#include "tests/temporary_folder.h"
 
 #include <boost/algorithm/string.hpp>
 #include <gtest/gtest.h>
@@ -15,24 +16,13 @@ namespace fs = std::filesystem;
 
 namespace
 {
-class BadParameterFile : public testing::Test
+class BadParameterFile : public TemporaryFolderTest
 {
 protected:
   void SetUp() override
   {
-    folder =
-        fs::path(testing::TempDir()) /
-        ("interlock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    TemporaryFolderTest::SetUp();
     write("good.prm", apps::pull_out_template());
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  fs::path write(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(folder / name) << text;
-    return folder / name;
   }
 
   // The sentences about a file, which must be bad.
@@ -67,8 +57,6 @@ protected:
     text.replace(begin, text.find('\n', begin) - begin, replacement);
     return errors(write("bad.prm", text));
   }
-
-  fs::path folder;
 };
 
 void expect_words(const std::vector<std::string>& errors, const std::vector<std::string>& words)

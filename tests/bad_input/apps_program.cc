@@ -1,6 +1,8 @@
 // The built program as a process: exit codes, one rank's words on the standard error, and nothing
 // on the disk. It takes bad input that ends with another code than 2, is silent, is said on the
 // standard output, or leaves a file behind, to fail.
+#include "tests/temporary_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,18 +19,14 @@ namespace
 {
 const std::string quick = std::string(INTERLOCK_SOURCE_DIR) + "/cases/pullout/quick.prm";
 
-class Program : public testing::Test
+class Program : public TemporaryFolderTest
 {
 protected:
   void SetUp() override
   {
-    folder =
-        fs::path(testing::TempDir()) /
-        ("interlock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
+    TemporaryFolderTest::SetUp();
     fs::create_directories(folder / "work");
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   // Runs `launcher` interlock `arguments` inside the empty folder `work`.
   void run(const std::string& arguments, const std::string& launcher = "")
@@ -58,7 +56,6 @@ protected:
     EXPECT_TRUE(fs::is_empty(folder / "work")) << "something was written";
   }
 
-  fs::path folder;
   int code = -1;
   std::string out, err;
 };

@@ -10,6 +10,7 @@
 #include "coupling/parameter_table.h"
 #include "coupling/pull_out_declarations.h"
 #include "dem/input_error.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -22,27 +23,14 @@ namespace
 {
 const fs::path cases = fs::path(INTERLOCK_SOURCE_DIR) / "cases" / "pullout";
 
-class ParameterFile : public testing::Test
+class ParameterFile : public TemporaryFolderTest
 {
 protected:
   void SetUp() override
   {
-    folder =
-        fs::path(testing::TempDir()) /
-        ("interlock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    TemporaryFolderTest::SetUp();
     write("base.prm", apps::pull_out_template());
   }
-  void TearDown() override { fs::remove_all(folder); }
-
-  fs::path write(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(folder / name) << text;
-    return folder / name;
-  }
-
-  fs::path folder;
 };
 } // namespace
 

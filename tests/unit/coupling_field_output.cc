@@ -2,6 +2,7 @@
 // points at a data set that is not there or has another size, or a frame that is listed before it
 // is complete, to fail. The XDMF text is read as XML, the numbers with deal.II's HDF5 classes.
 #include "coupling/field_output.h"
+#include "tests/temporary_folder.h"
 
 #include <deal.II/base/hdf5.h>
 #include <deal.II/lac/full_matrix.h>
@@ -19,19 +20,9 @@ using Tree = boost::property_tree::ptree;
 
 namespace
 {
-class FieldOutput : public testing::Test
+class FieldOutput : public TemporaryFolderTest
 {
 protected:
-  void SetUp() override
-  {
-    folder =
-        fs::path(testing::TempDir()) /
-        ("interlock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   // The <Grid> elements of the frames, in order.
   std::vector<Tree> frames(const std::string& name) const
   {
@@ -59,8 +50,6 @@ protected:
     EXPECT_EQ(data.get_dimensions(), dimensions) << reference;
     return data;
   }
-
-  fs::path folder;
 };
 
 const std::vector<double> two_points = {0, 0.5, 1, 2, 2.5, 3};

@@ -4,6 +4,7 @@
 #include "coupling/atomic_file.h"
 #include "coupling/history.h"
 #include "coupling/summary.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -17,19 +18,9 @@ namespace fs = std::filesystem;
 
 namespace
 {
-class Records : public testing::Test
+class Records : public TemporaryFolderTest
 {
 protected:
-  void SetUp() override
-  {
-    folder =
-        fs::path(testing::TempDir()) /
-        ("interlock_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   std::string text_of(const std::string& name) const
   {
     std::ifstream stream(folder / name);
@@ -42,8 +33,6 @@ protected:
   {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
   }
-
-  fs::path folder;
 };
 } // namespace
 
