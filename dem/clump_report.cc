@@ -1,6 +1,6 @@
 #include "dem/clump_report.h"
 
-#include "dem/mass_properties.h"
+#include "dem/union_volume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,71 +9,78 @@ namespace interlock::dem
 {
 namespace
 {
-// Length of the union of the intervals; sorts them.
-double union_length(std::vector<std::pair<double, double>>& intervals)
+// Axes have no sign. Eigenvalues ascend, so equal columns belong together.
+double largest_angle(const Matrix3& a, const Matrix3& b)
 {
-  std::sort(intervals.begin(), intervals.end());
-  double length = 0, covered_to = -INFINITY;
-  for (const auto& [low, high] : intervals) {
-    if (high <= covered_to) continue;
-    length += high - std::max(low, covered_to);
-    covered_to = high;
+  const Vector3 cosines = (a.transpose() * b).diagonal().cwiseAbs();
+  return std::acos(std::min(1., cosines.minCoeff())) * 180 / M_PI;
+}
+
+void compare_schemes(const MassProperties& stone, const std::vector<Sphere>& spheres,
+                     ClumpReport& report)
+{
+  const PrincipalFrame exact = principal_frame(stone);
+  const Vector3& moments = exact.moments;
+  report.axes_are_distinct = moments[1] > 1.05 * moments[0] && moments[2] > 1.05 * moments[1];
+  for (const auto scheme : {MassScheme::uniform, MassScheme::equal_mass, MassScheme::mesh}) {
+    const MassProperties mass = clump_mass_properties(stone, spheres, scheme);
+    const auto entry = static_cast<std::size_t>(scheme);
+    report.inertia_error[entry] = inertia_error(mass, stone);
+    report.axis_error[entry] = largest_angle(principal_frame(mass).axes, exact.axes);
+    report.centre_offset[entry] = (mass.centre - stone.centre).norm();
   }
-  return length;
+}
+
+void measure_distances(const std::vector<Vector3>& nodes, const std::vector<Sphere>& spheres,
+                       ClumpReport& report)
+{
+  std::vector<double> distances;
+  distances.reserve(nodes.size());
+  double sum = 0;
+  for (const Vector3& p : nodes) {
+    double signed_distance = INFINITY;
+    for (const Sphere& s : spheres)
+      signed_distance = std::min(signed_distance, (p - s.centre).norm() - s.radius);
+    distances.push_back(std::abs(signed_distance));
+    sum += distances.back();
+  }
+  const auto rank_95 = distances.begin() + (distances.size() - 1) * 95 / 100;
+  std::nth_element(distances.begin(), rank_95, distances.end());
+  report.surface_distance_mean = sum / distances.size();
+  report.surface_distance_95 = *rank_95;
+  report.surface_distance_max = *std::max_element(rank_95, distances.end());
 }
 } // namespace
 
-double union_volume(const std::vector<Sphere>& spheres, int lines)
+MassProperties clump_mass_properties(const MassProperties& stone,
+                                     const std::vector<Sphere>& spheres, MassScheme scheme)
 {
-  Eigen::AlignedBox3d box;
+  if (scheme == MassScheme::mesh) return stone;
+  std::vector<double> volumes;
+  double total = 0;
   for (const Sphere& s : spheres) {
-    box.extend(Vector3(s.centre.array() - s.radius));
-    box.extend(Vector3(s.centre.array() + s.radius));
+    volumes.push_back(scheme == MassScheme::uniform ? std::pow(s.radius, 3) : 1);
+    total += volumes.back();
   }
-  if (spheres.empty()) return 0;
-  const double dx = box.sizes()[0] / lines, dy = box.sizes()[1] / lines;
-  // Rays along z through the middle of each cell of a grid on the box; every sphere adds its chord
-  // to the rays that it meets.
-  std::vector<std::vector<std::pair<double, double>>> chords(lines * lines);
-  for (const Sphere& s : spheres) {
-    const auto first = [&](int axis, double step) {
-      return int(std::max(0., (s.centre[axis] - s.radius - box.min()[axis]) / step - 1));
-    };
-    for (int i = first(0, dx); i < lines; ++i) {
-      const double x = box.min()[0] + (i + 0.5) * dx - s.centre[0];
-      if (x > s.radius) break;
-      for (int j = first(1, dy); j < lines; ++j) {
-        const double y = box.min()[1] + (j + 0.5) * dy - s.centre[1];
-        if (y > s.radius) break;
-        const double square = s.radius * s.radius - x * x - y * y;
-        if (square <= 0) continue;
-        const double half = std::sqrt(square);
-        chords[i * lines + j].emplace_back(s.centre[2] - half, s.centre[2] + half);
-      }
-    }
-  }
-  double length = 0;
-  for (auto& line : chords) length += union_length(line);
-  return length * dx * dy;
+  for (double& volume : volumes) volume *= stone.volume / total;
+  MassProperties mass = mass_properties(spheres, volumes);
+  mass.volume = stone.volume; // to the last digit
+  return mass;
 }
 
-void measure_surface(const TriangleMesh& stone, const std::vector<Sphere>& spheres,
-                     ClumpReport& report)
+double inertia_error(const MassProperties& value, const MassProperties& exact)
 {
-  std::vector<double> distances;
-  for (const Vector3& node : stone.vertices) {
-    double nearest = INFINITY;
-    for (const Sphere& s : spheres)
-      nearest = std::min(nearest, (node - s.centre).norm() - s.radius);
-    distances.push_back(std::abs(nearest));
-  }
-  std::sort(distances.begin(), distances.end());
-  double sum = 0;
-  for (const double distance : distances) sum += distance;
-  report.surface_distance_mean = sum / distances.size();
-  report.surface_distance_95 = distances[(distances.size() - 1) * 95 / 100];
-  report.surface_distance_max = distances.back();
-  const double volume = mass_properties(stone).volume;
-  report.volume_error = (union_volume(spheres) - volume) / volume;
+  const Vector3 reference = principal_frame(exact).moments;
+  return (principal_frame(value).moments - reference).cwiseQuotient(reference).cwiseAbs().mean();
+}
+
+void measure_errors(const std::vector<Vector3>& nodes, const MassProperties& stone,
+                    const std::vector<Sphere>& spheres, ClumpReport& report)
+{
+  compare_schemes(stone, spheres, report);
+  measure_distances(nodes, spheres, report);
+  const UnionVolume all(spheres);
+  report.volume_error = (all.volume() - stone.volume) / stone.volume;
+  report.volume_uncertainty = all.error() / stone.volume;
 }
 } // namespace interlock::dem

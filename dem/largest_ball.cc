@@ -9,6 +9,7 @@
 #include <boost/geometry/strategies/cartesian/distance_pythagoras.hpp>
 #include <boost/geometry/strategies/cartesian/distance_pythagoras_point_box.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace interlock::dem
@@ -33,7 +34,7 @@ std::vector<Entry> entries(const std::vector<Vector3>& nodes)
 } // namespace
 
 // Built from the whole range at once, which packs the tree tightly.
-struct LargestBall::Tree {
+struct BallAmongNodes::Tree {
   explicit Tree(const std::vector<Vector3>& nodes) : index(entries(nodes)) {}
 
   int nearest(const Vector3& x) const
@@ -44,7 +45,7 @@ struct LargestBall::Tree {
   bg::index::rtree<Entry, bg::index::quadratic<16>> index;
 };
 
-LargestBall::LargestBall(const std::vector<Vector3>& nodes)
+BallAmongNodes::BallAmongNodes(const std::vector<Vector3>& nodes)
     : nodes_(nodes), tree_(std::make_unique<Tree>(nodes))
 {
   Eigen::AlignedBox3d box;
@@ -52,9 +53,9 @@ LargestBall::LargestBall(const std::vector<Vector3>& nodes)
   if (!nodes.empty()) half_diagonal_ = box.sizes().norm() / 2;
 }
 
-LargestBall::~LargestBall() = default;
+BallAmongNodes::~BallAmongNodes() = default;
 
-double LargestBall::radius(int node, const Vector3& inward) const
+double BallAmongNodes::radius(int node, const Vector3& inward) const
 {
   // Shrink from a ball that is too large: the node nearest to the centre is inside, if any is, and
   // limits the ball to a smaller one. What lies outside a ball lies outside the smaller one within
@@ -75,8 +76,37 @@ double LargestBall::radius(int node, const Vector3& inward) const
   return limited ? radius : std::numeric_limits<double>::infinity();
 }
 
-double LargestBall::distance_to_nodes(const Vector3& point) const
+BallInsideSurface::BallInsideSurface(const TriangleMesh& mesh)
+    : mesh_(mesh), nodes_(mesh.vertices), facets_(mesh)
 {
-  return (nodes_[tree_->nearest(point)] - point).norm();
+}
+
+Sphere BallInsideSurface::at(int node, const Vector3& inward) const
+{
+  using Facets = SurfaceTree::Facets;
+  const Vector3& p = mesh_.vertices[node];
+  if (!facets_.is_outward(node, -inward)) return {p, 0};
+  // The ball that touches the node shrinks until it also touches a facet instead of holding a part
+  // of it: to the ball through the node and that part's point nearest to the centre, again and
+  // again. This is Newton's method for the touching radius, from above. Beside the node it is
+  // ill-conditioned, hence the tolerance; ahead it is not.
+  double s = std::min(nodes_.radius(node, inward), nodes_.half_diagonal());
+  const auto shrink = [&](Facets which, double tolerance) {
+    bool shrunk = false;
+    for (;;) {
+      const auto nearest =
+          facets_.nearest(p + s * inward, (1 - tolerance) * s, which, node, inward);
+      if (nearest.facet < 0) return shrunk;
+      const Vector3 offset = nearest.point - p;
+      const double smaller = offset.squaredNorm() / (2 * offset.dot(inward));
+      if (!(smaller < s)) return shrunk;
+      s = smaller;
+      shrunk = true;
+    }
+  };
+  shrink(Facets::ahead, 1e-12);
+  if (shrink(Facets::beside, 0.01)) shrink(Facets::ahead, 1e-12);
+  const Vector3 centre = p + s * inward;
+  return {centre, facets_.nearest(centre, 2 * s).distance};
 }
 } // namespace interlock::dem

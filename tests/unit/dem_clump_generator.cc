@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace
 {
 using namespace interlock::dem;
@@ -42,14 +41,9 @@ TEST(ClumpGenerator, SpheresTouchAFaceAndStayInTheBox)
   ASSERT_GT(clump.spheres.size(), 100u);
   for (const Sphere& s : clump.spheres) {
     EXPECT_GE(s.radius, r_min);
-    // Gaps between the sphere and the three nearest faces.
+    // Gaps between the sphere and the three nearest faces: one closed, none negative.
     const Vector3 gaps = (sides / 2 - s.centre.cwiseAbs()).array() - s.radius;
-    EXPECT_LT(gaps.cwiseAbs().minCoeff(), 1e-12);
-    // Facets are at most 3 mm x 2.5 mm: the widest empty circle among their nodes has this radius,
-    // and the sphere can bulge out through it by this height.
-    const double empty = std::hypot(0.003, 0.0025) / 2;
-    const double bulge = s.radius - std::sqrt(s.radius * s.radius - empty * empty);
-    EXPECT_GT(gaps.minCoeff(), -bulge);
+    EXPECT_NEAR(gaps.minCoeff(), 0, 1e-12);
   }
 }
 
@@ -191,6 +185,58 @@ TEST(ClumpGenerator, BatchOfThePullOutCases)
   EXPECT_LT(equal_mass_error, uniform_error / 2);
 }
 
+TEST(ClumpGenerator, StopsAtTheFirstSphereThatMeetsATarget)
+{
+  const TriangleMesh stone = make_stones(1, 2)[0];
+  const MassProperties exact = mass_properties(stone);
+  ClumpReport report;
+  ClumpParameters p = parameters(0.0001, 0.0005, 100);
+  p.max_spheres = 30;
+  EXPECT_EQ(make_clump(stone, p, &report).spheres.size(), 30u);
+  EXPECT_EQ(report.stop, Stop::max_spheres);
+
+  p.max_spheres = 0;
+  p.target_volume_error = 0.05;
+  const int by_volume = make_clump(stone, p, &report).spheres.size();
+  EXPECT_EQ(report.stop, Stop::volume_error);
+  EXPECT_LE(std::abs(report.volume_error), 0.05 + report.volume_uncertainty);
+  p.target_volume_error = 0;
+  p.max_spheres = by_volume - 1;
+  make_clump(stone, p, &report);
+  EXPECT_GT(std::abs(report.volume_error), 0.05 - report.volume_uncertainty);
+
+  p.max_spheres = 0;
+  p.target_inertia_error = 0.2;
+  p.mass_scheme = MassScheme::equal_mass;
+  const ClumpShape by_inertia = make_clump(stone, p, &report);
+  EXPECT_EQ(report.stop, Stop::inertia_error);
+  const Vector3 moments = principal_frame(exact).moments;
+  EXPECT_LE((by_inertia.unit_inertia - moments).cwiseQuotient(moments).cwiseAbs().mean(), 0.2);
+}
+
+TEST(ClumpGenerator, SaysWhyItStopped)
+{
+  const TriangleMesh stone = make_stones(1, 2)[0];
+  ClumpReport report;
+  make_clump(stone, parameters(0.001, 0.001, 2), &report);
+  EXPECT_EQ(report.stop, Stop::p_max);
+  make_clump(stone, parameters(0.001, 0.001, 100), &report);
+  EXPECT_EQ(report.stop, Stop::all_nodes);
+}
+
+// The axes of a box of three different sides are known; two equal sides leave them open.
+TEST(ClumpGenerator, ReportsTheAxes)
+{
+  ClumpReport report;
+  make_clump(lattice_box(), parameters(0.0005, 0.004, 100), &report);
+  EXPECT_TRUE(report.axes_are_distinct);
+  EXPECT_LT(report.axis_error[0], 5);
+  EXPECT_LT(report.axis_error[2], 1e-6);
+  make_clump(solids::subdivide(solids::box(0.04, 0.04, 0.06), 10), parameters(0.0005, 0.004, 100),
+             &report);
+  EXPECT_FALSE(report.axes_are_distinct);
+}
+
 TEST(ClumpGenerator, BadParametersAreInputErrors)
 {
   const TriangleMesh mesh = lattice_box();
@@ -199,18 +245,18 @@ TEST(ClumpGenerator, BadParametersAreInputErrors)
   EXPECT_THROW(make_clump(mesh, parameters(1e-4, 0.001, 0)), interlock::InputError);
   EXPECT_THROW(make_clump(mesh, parameters(1e-4, 0.001, 101)), interlock::InputError);
   EXPECT_THROW(make_clump(mesh, parameters(1e-4, 0.5, 10)), interlock::InputError);
+  ClumpParameters p = parameters(1e-4, 0.001, 10);
+  p.max_spheres = -1;
+  EXPECT_THROW(make_clump(mesh, p), interlock::InputError);
+  p.max_spheres = 0;
+  p.target_volume_error = 1.5;
+  EXPECT_THROW(make_clump(mesh, p), interlock::InputError);
+  p.target_volume_error = 0;
+  p.target_inertia_error = 0.1; // of `mesh`, which has no error
+  EXPECT_THROW(make_clump(mesh, p), interlock::InputError);
+  EXPECT_THROW(touching_radius("facets"), interlock::InputError);
   EXPECT_THROW(mass_scheme("equal mass"), interlock::InputError);
   EXPECT_EQ(mass_scheme("equal-mass"), MassScheme::equal_mass);
 }
 
-// Two balls of radius r at distance d share a lens of volume pi (4 r + d)(2 r - d)^2/12.
-TEST(ClumpReport, UnionOfTwoBalls)
-{
-  const double r = 0.01, d = 0.013, ball = 4. / 3 * M_PI * r * r * r;
-  const double lens = M_PI * (4 * r + d) * std::pow(2 * r - d, 2) / 12;
-  for (const Vector3& axis : {Vector3(1, 0, 0), Vector3(0, 0, 1), Vector3(0.6, 0, 0.8)})
-    EXPECT_NEAR(union_volume({{{0, 0, 0}, r}, {d * axis, r}}), 2 * ball - lens, 1e-3 * ball);
-  EXPECT_NEAR(union_volume({{{0, 0, 0}, r}, {{0, 5 * r, 0}, r}, {{0, 0, 0}, r / 2}}), 2 * ball,
-              2e-3 * ball);
-}
 } // namespace

@@ -30,6 +30,7 @@ double mean_count(const Cell& cell)
     parameters.d_min = 1e-3 * cell.d_min;
     parameters.r_min = 1e-3 * cell.r_min;
     parameters.p_max = cell.p_max;
+    parameters.touching_radius = TouchingRadius::nodes; // the paper's
     parameters.seed = seed;
     sum += make_clump(mesh, parameters).spheres.size() / 6.;
   }
