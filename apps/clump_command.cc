@@ -1,11 +1,14 @@
 #include "apps/clump_command.h"
 
-#include "dem/clump_generator.h"
+#include "apps/clump_table.h"
+#include "apps/octahedron_command.h"
+#include "coupling/atomic_file.h"
 #include "dem/input_error.h"
 #include "dem/mass_properties.h"
-#include "dem/stone_size.h"
 
-#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -14,8 +17,14 @@ namespace interlock::apps
 {
 namespace
 {
+namespace fs = std::filesystem;
+
 struct Options {
-  std::string stone, scheme = "mesh", unit = "m", output;
+  std::vector<std::string> stones;
+  std::string scheme = "mesh", radius = "surface", unit = "m", output, report, table;
+  double d_min = -1, r_min = -1;                            // negative: not given [m]
+  double target_volume_error = 0, target_inertia_error = 0; // [%]
+  double density = 0;                                       // [kg/m3]
   dem::ClumpParameters parameters;
 };
 
@@ -26,80 +35,177 @@ double metres(const std::string& unit)
   throw InputError("The length unit of the stone is '" + unit + "', but must be 'm' or 'mm'.");
 }
 
-void print_stone(const std::string& path, const dem::TriangleMesh& stone)
+dem::ClumpParameters clump_parameters(const Options& options)
 {
-  const dem::StoneSize size = dem::stone_size(stone);
-  std::printf("Stone '%s': %zu nodes, %zu facets, closed\n", path.c_str(), stone.vertices.size(),
-              stone.triangles.size());
-  std::printf("  size %.2f x %.2f x %.2f mm, sieve size %.2f mm, volume %.4g cm3\n",
-              1e3 * size.longest, 1e3 * size.intermediate, 1e3 * size.shortest, 1e3 * size.sieve,
-              1e6 * dem::mass_properties(stone).volume);
-  std::printf("  flatness %.3f, elongation %.3f, sphericity %.3f\n", size.flatness(),
-              size.elongation(), size.sphericity);
+  for (const auto& [name, value] :
+       {std::pair("--d-min", options.d_min), {"--r-min", options.r_min}})
+    if (value < 0)
+      throw InputError(std::string("The option ") + name +
+                       " is missing or negative, but must be a length of 0 m or more.");
+  if (options.density < 0) throw InputError("The density is negative, but must be above 0 kg/m3.");
+  dem::ClumpParameters parameters = options.parameters;
+  parameters.d_min = options.d_min;
+  parameters.r_min = options.r_min;
+  parameters.mass_scheme = dem::mass_scheme(options.scheme);
+  parameters.touching_radius = dem::touching_radius(options.radius);
+  parameters.target_volume_error = options.target_volume_error / 100;
+  parameters.target_inertia_error = options.target_inertia_error / 100;
+  return parameters;
 }
 
-void print_clump(const dem::ClumpShape& shape, const dem::ClumpReport& report,
-                 const std::string& scheme)
+bool is_stone_file(const fs::path& path)
 {
-  std::printf("Clump: %zu spheres, radius %.3f to %.3f mm\n", shape.spheres.size(),
-              1e3 * shape.spheres.back().radius, 1e3 * shape.spheres.front().radius);
-  std::printf("  nodes used %d of %d (%.2f %%), rejected below r_min %d\n", report.nodes_used,
-              report.nodes, 100. * report.nodes_used / report.nodes, report.rejected);
-  std::printf("  distance of the stone's surface: mean %.3f mm, 95 %% below %.3f mm, max %.3f mm\n",
-              1e3 * report.surface_distance_mean, 1e3 * report.surface_distance_95,
-              1e3 * report.surface_distance_max);
-  std::printf("  volume of the spheres' union against the stone: %+.2f %%\n",
-              100 * report.volume_error);
-  std::printf("  %-16s %22s %20s\n", "mass properties", "error of moments [%]",
-              "centre off by [mm]");
-  const char* names[] = {"uniform", "equal-mass", "mesh"};
-  for (int k = 0; k < 3; ++k)
-    std::printf("%s %-16s %22.2f %20.3f\n", scheme == names[k] ? " *" : "  ", names[k],
-                100 * report.inertia_error[k], 1e3 * report.centre_offset[k]);
-  std::printf("  * used; the mass is that of the stone under each of them\n");
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".stl" || extension == ".ply" || extension == ".obj";
+}
+
+// Files as they are; of folders the stones in them, by name.
+std::vector<std::string> stone_files(const std::vector<std::string>& arguments)
+{
+  std::vector<std::string> files;
+  for (const std::string& argument : arguments) {
+    if (!fs::is_directory(argument)) {
+      files.push_back(argument);
+      continue;
+    }
+    std::vector<std::string> inside;
+    for (const auto& entry : fs::directory_iterator(argument))
+      if (is_stone_file(entry.path())) inside.push_back(entry.path().string());
+    if (inside.empty())
+      throw InputError("The folder '" + argument + "' has no .stl, .ply or .obj file in it.");
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+ClumpResult make_clump(const std::string& file, const Options& options,
+                       const dem::ClumpParameters& parameters)
+{
+  const dem::TriangleMesh stone = dem::read_stone_mesh(file, metres(options.unit));
+  ClumpResult result;
+  result.file = file;
+  result.name = fs::path(file).stem().string();
+  result.nodes = stone.vertices.size();
+  result.facets = stone.triangles.size();
+  result.size = dem::stone_size(stone);
+  result.volume = dem::mass_properties(stone).volume;
+  result.density = options.density;
+  result.parameters = parameters;
+  result.shape = dem::make_clump(stone, parameters, &result.report);
+  result.shape.name = result.name;
+  return result;
+}
+
+void create_folder(const fs::path& folder)
+{
+  std::error_code error;
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (!folder.empty() && !fs::is_directory(folder, error))
+    throw InputError("The folder '" + folder.string() + "' for the clumps cannot be created.");
+}
+
+void write_report(const std::string& path, const std::vector<ClumpResult>& results)
+{
+  nlohmann::ordered_json report;
+  const dem::ClumpParameters& p = results.front().parameters;
+  report["version"] = INTERLOCK_VERSION;
+  report["parameters"] = {
+      {"d_min_m", p.d_min},
+      {"r_min_m", p.r_min},
+      {"p_max_percent", p.p_max},
+      {"max_spheres", p.max_spheres},
+      {"target_volume_error", p.target_volume_error},
+      {"target_inertia_error", p.target_inertia_error},
+      {"touching_radius", p.touching_radius == dem::TouchingRadius::surface ? "surface" : "nodes"},
+      {"seed", p.seed}};
+  for (const ClumpResult& result : results) report["clumps"].push_back(clump_json(result));
+  coupling::write_atomically(path, report.dump(2) + "\n");
+  std::printf("Report: '%s'\n", path.c_str());
+}
+
+void make_one(const std::string& file, const Options& options,
+              const dem::ClumpParameters& parameters)
+{
+  const ClumpResult result = make_clump(file, options, parameters);
+  print_clump(result);
+  std::printf("%s", missed_targets(result).c_str());
+  const std::string clump = options.output.empty() ? result.name + ".clump.json" : options.output;
+  create_folder(fs::path(clump).parent_path());
+  dem::write_clump_shape(clump, result.shape);
+  std::printf("Clump: '%s'\n", clump.c_str());
+  const std::string beside = (fs::path(clump).parent_path() / result.name).string();
+  write_report(options.report.empty() ? beside + ".report.json" : options.report, {result});
+}
+
+void make_many(const std::vector<std::string>& files, const Options& options,
+               const dem::ClumpParameters& parameters)
+{
+  if (options.output.empty())
+    throw InputError("Several stones need a folder for their clumps: --output FOLDER.");
+  create_folder(options.output);
+  print_clump_table_head();
+  std::vector<ClumpResult> results;
+  for (const std::string& file : files) {
+    results.push_back(make_clump(file, options, parameters));
+    print_clump_table_row(results.back());
+    std::fflush(stdout); // a row as soon as its clump is there
+    dem::write_clump_shape(
+        (fs::path(options.output) / (results.back().name + ".clump.json")).string(),
+        results.back().shape);
+  }
+  print_clump_table_means(results);
+  for (const ClumpResult& result : results) std::printf("%s", missed_targets(result).c_str());
+  std::printf("%zu clumps in '%s'\n", results.size(), options.output.c_str());
+  write_report(options.report.empty() ? (fs::path(options.output) / "clumps.report.json").string()
+                                      : options.report,
+               results);
 }
 
 void make(const Options& options)
 {
-  namespace fs = std::filesystem;
-  dem::ClumpParameters parameters = options.parameters;
-  parameters.mass_scheme = dem::mass_scheme(options.scheme);
-  const dem::TriangleMesh stone = dem::read_stone_mesh(options.stone, metres(options.unit));
-  dem::ClumpReport report;
-  dem::ClumpShape shape = dem::make_clump(stone, parameters, &report);
-  shape.name = fs::path(options.stone).stem().string();
-  print_stone(options.stone, stone);
-  print_clump(shape, report, options.scheme);
-
-  const std::string output = options.output.empty() ? shape.name + ".clump.json" : options.output;
-  std::error_code error; // write_clump_shape says so when the folder is not there
-  if (fs::path(output).has_parent_path())
-    fs::create_directories(fs::path(output).parent_path(), error);
-  dem::write_clump_shape(output, shape);
-  std::printf("Written: '%s'\n", output.c_str());
+  if (!options.table.empty()) return print_published_table(options.table);
+  const dem::ClumpParameters parameters = clump_parameters(options);
+  const std::vector<std::string> files = stone_files(options.stones);
+  if (files.empty()) throw InputError("No stone is given: interlock clump STONE... (--help).");
+  if (files.size() == 1)
+    make_one(files.front(), options, parameters);
+  else
+    make_many(files, options, parameters);
 }
 } // namespace
 
 void add_clump_command(CLI::App& app)
 {
   const auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("clump", "Turn a closed stone mesh into a clump of spheres");
+  CLI::App* command = app.add_subcommand("clump", "Turn closed stones into clumps of spheres");
   dem::ClumpParameters& p = options->parameters;
-  command->add_option("stone", options->stone, "Closed mesh: .stl, .ply or .obj")->required();
-  command->add_option("--d-min", p.d_min, "Nodes nearer to a sphere's surface get no sphere [m]")
-      ->required();
-  command->add_option("--r-min", p.r_min, "Smaller spheres are rejected [m]")->required();
-  command->add_option("--p-max", p.p_max, "Largest share of the nodes to be used [%]")->required();
-  command->add_option("--seed", p.seed, "Seed of the order of the nodes")->capture_default_str();
-  command
-      ->add_option("--mass-properties", options->scheme,
-                   "Centre and inertia: uniform, equal-mass or mesh")
+  const auto add = [&](const char* name, auto& value, const char* text) {
+    return command->add_option(name, value, text);
+  };
+  add("stones", options->stones, "Stones: .stl, .ply or .obj files, or folders of them");
+  add("--d-min", options->d_min, "Nodes nearer to a sphere's surface get no sphere [m]");
+  add("--r-min", options->r_min, "Smaller spheres are rejected [m]");
+  add("--p-max", p.p_max, "Largest share of the nodes to be used [%]")->capture_default_str();
+  add("--max-spheres", p.max_spheres, "Stop at this number of spheres (0: no limit)");
+  add("--target-volume-error", options->target_volume_error,
+      "Stop when the spheres' union has the stone's volume to within this [%]");
+  add("--target-inertia-error", options->target_inertia_error,
+      "Stop when the principal moments are off by this on average [%]");
+  add("--touching-radius", options->radius,
+      "How far balls grow: to the surface (facets), or to nodes (the paper's)")
       ->capture_default_str();
-  command->add_option("--unit", options->unit, "Length unit of the mesh: m or mm")
+  add("--seed", p.seed, "Seed of the order of the nodes")->capture_default_str();
+  add("--mass-properties", options->scheme, "Centre and inertia: uniform, equal-mass or mesh")
       ->capture_default_str();
-  command->add_option("-o,--output", options->output,
-                      "Clump file (default: the stone's name with .clump.json, here)");
+  add("--density", options->density, "Density of the rock, for masses [kg/m3]");
+  add("--unit", options->unit, "Length unit of the stones: m or mm")->capture_default_str();
+  add("-o,--output", options->output,
+      "Clump file (default: the stone's name with .clump.json, here); folder for several stones");
+  add("--report", options->report, "Report file (default: NAME.report.json beside the clump)");
+  add("--table", options->table,
+      "Instead of all this: print a published table beside ours (octahedron)");
   command->callback([options] { make(*options); });
 }
 } // namespace interlock::apps

@@ -1,7 +1,6 @@
 // Closed meshes of solids with known closed forms, for the tests of the clump shapes.
 #pragma once
 
-#include "dem/random_stream.h"
 #include "dem/triangle_mesh.h"
 
 #include <algorithm>
@@ -12,11 +11,8 @@ namespace solids
 using interlock::dem::TriangleMesh;
 using interlock::dem::Vector3;
 
-// Cuts each facet of `base` into n^2 equal ones; nodes on shared edges are shared. With a
-// generator, nodes move within their facet or along their edge by up to `jitter` times the node
-// spacing per direction; corners stay.
-inline TriangleMesh subdivide(const TriangleMesh& base, int n, double jitter = 0,
-                              interlock::dem::RandomStream* generator = nullptr)
+// Cuts each facet of `base` into n^2 equal ones; nodes on shared edges are shared.
+inline TriangleMesh subdivide(const TriangleMesh& base, int n)
 {
   using Key = std::map<int, int>; // corner of the base -> weight; weights sum to n
   TriangleMesh mesh;
@@ -31,16 +27,6 @@ inline TriangleMesh subdivide(const TriangleMesh& base, int n, double jitter = 0
       if (!is_new) return entry->second;
       Vector3 x = Vector3::Zero();
       for (const auto& [corner, weight] : key) x += double(weight) / n * base.vertices[corner];
-      if (generator && key.size() > 1) {
-        const Vector3 a = base.vertices[key.begin()->first];
-        const Vector3 along = (base.vertices[std::next(key.begin())->first] - a) / n;
-        x += generator->uniform(-jitter, jitter) * along;
-        if (key.size() == 3) {
-          const Vector3 other = base.vertices[key.rbegin()->first] - a;
-          const Vector3 across = other - other.dot(along) / along.squaredNorm() * along;
-          x += generator->uniform(-jitter, jitter) * along.norm() * across.normalized();
-        }
-      }
       mesh.vertices.push_back(x);
       return entry->second;
     };

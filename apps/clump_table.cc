@@ -1,0 +1,184 @@
+#include "apps/clump_table.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace interlock::apps
+{
+namespace
+{
+constexpr const char* scheme_names[] = {"uniform", "equal-mass", "mesh"};
+
+const char* stop_text(dem::Stop stop)
+{
+  switch (stop) {
+  case dem::Stop::p_max:
+    return "p_max";
+  case dem::Stop::max_spheres:
+    return "max_spheres";
+  case dem::Stop::volume_error:
+    return "target_volume_error";
+  case dem::Stop::inertia_error:
+    return "target_inertia_error";
+  case dem::Stop::all_nodes:
+    break;
+  }
+  return "all nodes drawn";
+}
+
+double used(const dem::ClumpReport& report)
+{
+  return 100. * report.nodes_used / report.nodes;
+}
+
+double equivalent_diameter(double volume)
+{
+  return std::cbrt(6 * volume / M_PI);
+}
+} // namespace
+
+void print_clump(const ClumpResult& result)
+{
+  const dem::StoneSize& size = result.size;
+  const dem::ClumpReport& report = result.report;
+  std::printf("Stone '%s': %zu nodes, %zu facets\n", result.file.c_str(), result.nodes,
+              result.facets);
+  std::printf("  size %.2f x %.2f x %.2f mm, sieve size %.2f mm, equivalent diameter %.2f mm\n",
+              1e3 * size.longest, 1e3 * size.intermediate, 1e3 * size.shortest, 1e3 * size.sieve,
+              1e3 * equivalent_diameter(result.volume));
+  std::printf("  volume %.4g cm3", 1e6 * result.volume);
+  if (result.density > 0)
+    std::printf(", mass %.2f g at %.0f kg/m3", 1e3 * result.density * result.volume,
+                result.density);
+  std::printf("; flatness %.3f, elongation %.3f, sphericity %.3f\n", size.flatness(),
+              size.elongation(), size.sphericity);
+  std::printf("Clump: %zu spheres, radius %.3f to %.3f mm; stopped by: %s\n",
+              result.shape.spheres.size(), 1e3 * result.shape.spheres.back().radius,
+              1e3 * result.shape.spheres.front().radius, stop_text(report.stop));
+  std::printf("  nodes used %d of %d (%.2f %%), rejected below r_min %d\n", report.nodes_used,
+              report.nodes, used(report), report.rejected);
+  std::printf("  distance of the stone's surface: mean %.3f mm, 95 %% below %.3f mm, max %.3f mm\n",
+              1e3 * report.surface_distance_mean, 1e3 * report.surface_distance_95,
+              1e3 * report.surface_distance_max);
+  std::printf("  volume of the spheres' union against the stone: %+.2f %% +- %.2f %%\n",
+              100 * report.volume_error, 100 * report.volume_uncertainty);
+  std::printf("  %-16s %20s %20s %20s\n", "mass properties", "error of moments [%]",
+              "axes off by [deg]", "centre off by [mm]");
+  for (int k = 0; k < 3; ++k)
+    std::printf("%s %-16s %20.2f %20.2f %20.3f\n",
+                int(result.parameters.mass_scheme) == k ? " *" : "  ", scheme_names[k],
+                100 * report.inertia_error[k], report.axis_error[k], 1e3 * report.centre_offset[k]);
+  std::printf("  * used; the mass is that of the stone under each of them\n");
+  if (!report.axes_are_distinct)
+    std::printf("  Two moments of the stone differ by less than 5 %%: its axes mean little.\n");
+}
+
+void print_clump_table_head()
+{
+  std::printf("%-16s %7s %7s %6s %13s %20s %17s %10s\n", "", "", "", "nodes", "union volume",
+              "surface off by [mm]", "moments off by [%]", "axes [deg]");
+  std::printf("%-16s %7s %7s %6s %13s %6s %6s %6s %8s %9s %10s\n", "stone", "nodes", "spheres",
+              "[%]", "off by [%]", "mean", "95 %", "max", "uniform", "eq.-mass", "uniform");
+}
+
+void print_clump_table_row(const ClumpResult& result)
+{
+  const dem::ClumpReport& r = result.report;
+  std::printf("%-16s %7zu %7zu %6.2f %6.2f+-%5.2f %6.3f %6.3f %6.3f %8.1f %9.1f %10.1f\n",
+              result.name.c_str(), result.nodes, result.shape.spheres.size(), used(r),
+              100 * r.volume_error, 100 * r.volume_uncertainty, 1e3 * r.surface_distance_mean,
+              1e3 * r.surface_distance_95, 1e3 * r.surface_distance_max, 100 * r.inertia_error[0],
+              100 * r.inertia_error[1], r.axis_error[0]);
+}
+
+void print_clump_table_means(const std::vector<ClumpResult>& results)
+{
+  const auto mean = [&](auto value) {
+    double sum = 0;
+    for (const ClumpResult& result : results) sum += value(result, result.report);
+    return sum / results.size();
+  };
+  using C = const ClumpResult&;
+  using R = const dem::ClumpReport&;
+  std::printf(
+      "%-16s %7.0f %7.1f %6.2f %13.2f %6.3f %6.3f %6.3f %8.1f %9.1f %10.1f\n", "mean",
+      mean([](C c, R) { return c.nodes; }), mean([](C c, R) { return c.shape.spheres.size(); }),
+      mean([](C, R r) { return used(r); }), mean([](C, R r) { return 100 * r.volume_error; }),
+      mean([](C, R r) { return 1e3 * r.surface_distance_mean; }),
+      mean([](C, R r) { return 1e3 * r.surface_distance_95; }),
+      mean([](C, R r) { return 1e3 * r.surface_distance_max; }),
+      mean([](C, R r) { return 100 * r.inertia_error[0]; }),
+      mean([](C, R r) { return 100 * r.inertia_error[1]; }),
+      mean([](C, R r) { return r.axis_error[0]; }));
+}
+
+std::string missed_targets(const ClumpResult& result)
+{
+  const dem::ClumpReport& report = result.report;
+  const dem::ClumpParameters& p = result.parameters;
+  const auto sentence = [&](const char* what, double reached, double target) {
+    char text[200];
+    std::snprintf(text, sizeof(text),
+                  "The target for the error of the %s of '%s' was not met: %.2f %% instead of "
+                  "%.2f %% (stopped by: %s).\n",
+                  what, result.name.c_str(), 100 * reached, 100 * target, stop_text(report.stop));
+    return std::string(text);
+  };
+  std::string missed;
+  const double volume_error = std::abs(report.volume_error);
+  if (p.target_volume_error > 0 && report.stop != dem::Stop::volume_error &&
+      volume_error > p.target_volume_error)
+    missed += sentence("volume", volume_error, p.target_volume_error);
+  const double inertia_error = report.inertia_error[static_cast<std::size_t>(p.mass_scheme)];
+  if (p.target_inertia_error > 0 && inertia_error > p.target_inertia_error)
+    missed += sentence("inertia", inertia_error, p.target_inertia_error);
+  return missed;
+}
+
+nlohmann::ordered_json clump_json(const ClumpResult& result)
+{
+  const dem::StoneSize& size = result.size;
+  const dem::ClumpReport& report = result.report;
+  nlohmann::ordered_json entry{
+      {"name", result.name},
+      {"file", result.file},
+      {"stone",
+       {{"nodes", result.nodes},
+        {"facets", result.facets},
+        {"volume_m3", result.volume},
+        {"longest_m", size.longest},
+        {"intermediate_m", size.intermediate},
+        {"shortest_m", size.shortest},
+        {"sieve_size_m", size.sieve},
+        {"equivalent_diameter_m", equivalent_diameter(result.volume)},
+        {"flatness", size.flatness()},
+        {"elongation", size.elongation()},
+        {"sphericity", size.sphericity}}},
+      {"spheres", result.shape.spheres.size()},
+      {"smallest_radius_m", result.shape.spheres.back().radius},
+      {"largest_radius_m", result.shape.spheres.front().radius},
+      {"nodes_used", report.nodes_used},
+      {"rejected", report.rejected},
+      {"stopped_by", stop_text(report.stop)},
+      {"volume_error", report.volume_error},
+      {"volume_error_uncertainty", report.volume_uncertainty},
+      {"surface_distance_mean_m", report.surface_distance_mean},
+      {"surface_distance_95_m", report.surface_distance_95},
+      {"surface_distance_max_m", report.surface_distance_max},
+      {"mass_properties", scheme_names[static_cast<int>(result.parameters.mass_scheme)]},
+      {"unit_inertia_m5",
+       {result.shape.unit_inertia[0], result.shape.unit_inertia[1], result.shape.unit_inertia[2]}},
+      {"axes_are_distinct", report.axes_are_distinct}};
+  if (result.density > 0) {
+    entry["density_kg_per_m3"] = result.density;
+    entry["mass_kg"] = result.density * result.volume;
+  }
+  for (int k = 0; k < 3; ++k)
+    entry["errors"][scheme_names[k]] = {{"principal_moments", report.inertia_error[k]},
+                                        {"principal_axes_degrees", report.axis_error[k]},
+                                        {"centre_m", report.centre_offset[k]}};
+  return entry;
+}
+} // namespace interlock::apps
