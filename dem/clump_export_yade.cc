@@ -4,43 +4,42 @@ namespace interlock::dem
 {
 namespace
 {
-// YADE takes mass, centre and axes of a clump from its spheres, each with the density of its
-// material and counted in full (discretization=0), and its Python interface cannot move the frame
-// of a clump afterwards. So every sphere wears a material with the density that makes these sums
-// the stone's until the clump is made.
+// YADE takes mass, centre and axes of a clump from its members when it is made. Spheres count with
+// the volume of the sphere and the density of the material, everything else with its state. So the
+// spheres weigh nothing while the clump is made, and one more member, a box at the centre of mass,
+// brings the stone's mass and inertia; erasing it leaves the frame as it is. This happens in the
+// body frame, because YADE turns the inertia of a box that is not along the axes the wrong way.
 constexpr const char* function = R"PY(
 
 def add_stone(position, orientation, material):
     """Appends one stone as a clump and returns (id of the clump, ids of its spheres).
 
-    position: Vector3, its centre of mass [m]; orientation: Quaternion, its principal axes to the
-    world's; material: FrictMat or one derived from it. Its density is not used: the stone has the
-    mass and inertia above. Do not call O.bodies.updateClumpProperties afterwards: it replaces them.
+    position: Vector3, its centre of mass [m]; orientation: Quaternion, from its principal axes to
+    the world; material: FrictMat or one derived from it. Its density does not count: the stone has
+    the mass and inertia above, until O.bodies.updateClumpProperties is called, which it must not.
     """
-    spheres = []
-    for (x, y, z, r), mass in zip(SPHERES, MEMBER_MASSES):
-        sphere = utils.sphere(position + orientation * Vector3(x, y, z), r, material=material)
-        sphere.state.mass = mass
-        sphere.state.inertia = 0.4 * mass * r * r * Vector3(1, 1, 1)
-        sphere.mat = FrictMat(density=mass / (4. / 3. * math.pi * r**3))
-        spheres.append(sphere)
-    clump_id, sphere_ids = O.bodies.appendClumped(spheres, discretization=0)
+    spheres = [utils.sphere((x, y, z), r, material=material) for x, y, z, r in SPHERES]
+    for sphere in spheres:
+        sphere.mat = FrictMat(density=0)
+    carrier = Body()
+    carrier.shape = Box(extents=Vector3(1, 1, 1) * SPHERES[0][3])
+    carrier.mat = material
+    carrier.bounded = False
+    carrier.state.mass, carrier.state.inertia = MASS, Vector3(*INERTIA)
+    clump_id, ids = O.bodies.appendClumped(spheres + [carrier], discretization=0)
+    O.bodies.erase(ids[-1])
+    clump = O.bodies[clump_id]
+    # Equal moments leave the order of YADE's axes to rounding.
+    axes = clump.state.ori.toRotationMatrix()
+    inertia = axes.transpose() * Matrix3(INERTIA[0], 0, 0, 0, INERTIA[1], 0, 0, 0, INERTIA[2]) * axes
+    clump.state.mass, clump.state.inertia = MASS, inertia.diagonal()
     for sphere in spheres:
         sphere.mat = material
-    state = O.bodies[clump_id].state
-    # Rounding decides the signs of YADE's axes, and their order where two moments are equal.
-    axes = (orientation.conjugate() * state.ori).toRotationMatrix()
-    away = (state.pos - position).norm()
-    if len(spheres) > 1 and away > 1e-6 * SPHERES[0][3]:
-        print("add_stone: too few spheres to carry the centre of mass, it is off by %g m" % away)
-    inertia = axes.transpose() * Matrix3(*[INERTIA[k // 3] if k % 4 == 0 else 0 for k in range(9)])
-    inertia = inertia * axes
-    state.mass = MASS
-    state.inertia = inertia.diagonal()
-    tilt = max(abs(inertia[i, j]) for i in range(3) for j in range(3) if i != j) / max(INERTIA)
-    if tilt > 1e-6:
-        print("add_stone: too few spheres to carry the axes; products of inertia up to %g" % tilt)
-    return clump_id, sphere_ids
+    for body in spheres + [clump]:
+        state = body.state
+        state.pos = state.refPos = position + orientation * state.pos
+        state.ori = state.refOri = orientation * state.ori
+    return clump_id, ids[:-1]
 )PY";
 
 std::string list(const std::string& name, const std::vector<std::string>& items)
@@ -62,17 +61,13 @@ ExportedFiles yade_files(const ClumpExport& clump)
            "O.materials:", "  exec(open('" + clump.file_name + "').read())",
            "  clump_id, sphere_ids = add_stone(Vector3(0, 0, 1), Quaternion((0, 0, 1), 0), "
            "material)"}) +
-      "import math\n\nfrom yade import *\nfrom yade import utils\n\n";
+      "from yade import *\nfrom yade import utils\n\n";
   text += "MASS = " + digits(clump.mass()) + "  # [kg]\n";
   text += "INERTIA = (" + digits({inertia[0], inertia[1], inertia[2]}, ", ") + ")  # [kg m2]\n";
-  std::vector<std::string> spheres, masses;
+  std::vector<std::string> spheres;
   for (const Sphere& sphere : clump.shape.spheres)
     spheres.push_back("(" + sphere_digits(sphere, ", ") + ")");
-  for (const double mass : clump.member_masses()) masses.push_back(digits(mass));
-  text += "# x, y, z, r [m]\n" + list("SPHERES", spheres);
-  text += "# As solid spheres of these masses [kg] the members have the stone's mass, centre and\n"
-          "# inertia.\n" +
-          list("MEMBER_MASSES", masses) + function;
+  text += "# x, y, z, r [m]\n" + list("SPHERES", spheres) + function;
   return {{"", text}};
 }
 } // namespace interlock::dem

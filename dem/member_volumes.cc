@@ -9,8 +9,8 @@ namespace
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-// Row k: what a unit share of each sphere adds to volume (1 row), first moments (3), moments of
-// inertia (3) and products of inertia (3). Lengths in units of `length`, so that all rows are of
+// Row k: what a unit share of each sphere adds to volume (1 row), first moments (3), products
+// of inertia (3) and moments of inertia (3). Lengths in units of `length`, so that all rows are of
 // order 1.
 Matrix contributions(const ClumpShape& shape, double length)
 {
@@ -20,7 +20,7 @@ Matrix contributions(const ClumpShape& shape, double length)
     const double r = shape.spheres[i].radius / length;
     const Vector3 square = x.cwiseAbs2();
     const Vector3 moments = Vector3::Constant(square.sum() + 0.4 * r * r) - square;
-    rows.col(i) << 1, x, moments, x[0] * x[1], x[0] * x[2], x[1] * x[2];
+    rows.col(i) << 1, x, x[0] * x[1], x[0] * x[2], x[1] * x[2], moments;
   }
   return rows;
 }
@@ -63,12 +63,12 @@ std::vector<double> member_volumes(const ClumpShape& shape)
   const Matrix rows = contributions(shape, length);
   Vector target = Vector::Zero(10), prior(rows.cols()), shares;
   target[0] = 1;
-  target.segment<3>(4) = shape.unit_inertia / (shape.volume * length * length);
+  target.tail<3>() = shape.unit_inertia / (shape.volume * length * length);
   for (Eigen::Index i = 0; i < prior.size(); ++i) prior[i] = std::pow(shape.spheres[i].radius, 3);
   prior /= prior.sum();
 
   shares = prior; // the volume alone
-  for (const int conditions : {10, 4})
+  for (const int conditions : {10, 7, 4})
     if (Vector found; fit(rows.topRows(conditions), target.head(conditions), prior, found)) {
       shares = found;
       break;

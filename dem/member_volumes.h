@@ -14,7 +14,7 @@ namespace interlock::dem
 // which no uniform density gives, because overlaps count as often as they occur. Among all such
 // shares they are the nearest to shares in proportion to r^3 (least relative entropy, found by
 // Newton's method for the ten multipliers). Where no positive shares do that, as in clumps of few
-// spheres, the inertia is given up, then the centre too; the volume always agrees. What is left can
-// be seen with mass_properties(shape.spheres, member_volumes(shape)).
+// spheres, the moments are given up, then the axes, then the centre; the volume always agrees. What
+// is left can be seen with mass_properties(shape.spheres, member_volumes(shape)).
 std::vector<double> member_volumes(const ClumpShape& shape);
 } // namespace interlock::dem
