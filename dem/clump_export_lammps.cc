@@ -17,14 +17,15 @@ std::string section(const std::string& title, const ClumpExport& clump, const Va
 
 ExportedFiles lammps_files(const ClumpExport& clump)
 {
-  // `reinit no`: by default the first run after an insertion computes the bodies anew from their
-  // spheres. `gravity`: without it fix gravity pulls at every sphere instead of at the body.
+  // Without `reinit no` the second run computes the bodies anew from their spheres. Without
+  // `disable` and `gravity` the weight acts at the spheres, with both at the centre of the body,
+  // with `gravity` alone twice.
   const std::string id = identifier(clump.shape.name);
   std::string text = comment_head(
       clump, "#",
       {"LAMMPS molecule file, units si, atom_style sphere:",
        "  fix ids all property/atom mol ghost yes", "  molecule " + id + " " + clump.file_name,
-       "  fix g all gravity 9.81 vector 0 0 -1",
+       "  fix g all gravity 9.81 vector 0 0 -1 disable",
        "  fix stones all rigid/small molecule mol " + id + " reinit no gravity g",
        "then insert with fix deposit or fix pour: ... mol " + id + " rigid stones.",
        "The masses of the spheres sum to the stone's mass, centre and inertia as far as positive",
