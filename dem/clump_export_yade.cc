@@ -53,15 +53,19 @@ std::string list(const std::string& name, const std::vector<std::string>& items)
 ExportedFiles yade_files(const ClumpExport& clump)
 {
   const Vector3 inertia = clump.inertia();
+  const std::string module = clump.file_name.substr(0, clump.file_name.find('.'));
   std::string text =
       "# -*- coding: utf-8 -*-\n" +
-      comment_head(
-          clump, "#",
-          {"YADE 2023.02a. In a script beside this file, with material = FrictMat(...) appended to",
-           "O.materials:", "  exec(open('" + clump.file_name + "').read())",
-           "  clump_id, sphere_ids = add_stone(Vector3(0, 0, 1), Quaternion((0, 0, 1), 0), "
-           "material)"}) +
-      "from yade import *\nfrom yade import utils\n\n";
+      comment_head(clump, "#",
+                   {"YADE 2023.02a, in a script beside this file, whose name must suit `import`:",
+                    "  import sys; sys.path.append('.')", "  import " + module,
+                    "  material = FrictMat(...); O.materials.append(material)",
+                    "  clump_id, sphere_ids = " + module +
+                        ".add_stone(Vector3(0, 0, 1), Quaternion((0, 0, 1), 0),",
+                    "      material)"}) +
+      "from yade import *\nfrom yade import utils\n"
+      "try:\n    from yade.minieigenHP import Matrix3, Vector3\n"
+      "except ImportError:  # older YADE\n    from minieigen import Matrix3, Vector3\n\n";
   text += "MASS = " + digits(clump.mass()) + "  # [kg]\n";
   text += "INERTIA = (" + digits({inertia[0], inertia[1], inertia[2]}, ", ") + ")  # [kg m2]\n";
   std::vector<std::string> spheres;

@@ -1,13 +1,16 @@
 """Runs inside YADE: adds one turned stone of the file CLUMP.py, moves it for some steps, and writes
 what YADE has of it."""
+import importlib
 import os
+import sys
 
-exec(open(os.environ["CLUMP"] + ".py").read())
+sys.path.append(".")
+stone = importlib.import_module(os.environ["CLUMP"])
 material = FrictMat(density=1234)
 O.materials.append(material)
 turn = Quaternion((1, 2, 3), 0.7)
 turn.normalize()
-clump_id, sphere_ids = add_stone(Vector3(0.3, -0.2, 1), turn, material)
+clump_id, sphere_ids = stone.add_stone(Vector3(0.3, -0.2, 1), turn, material)
 
 O.engines = [ForceResetter(),
              InsertionSortCollider([Bo1_Sphere_Aabb()]),
