@@ -39,7 +39,6 @@ const Format& entry(const ClumpFormat id)
 
 void write(const std::string& path, const std::string& text)
 {
-  // Formats of several files sit in folders below the one that the user named.
   const std::string temporary = path + ".tmp";
   std::ofstream file(temporary, std::ios::binary);
   file << text;
@@ -93,12 +92,11 @@ void export_clump(const std::string& path, const ClumpShape& shape, const ClumpF
   if (shape.spheres.empty()) throw InputError("The clump for '" + path + "' has no sphere.");
   const ClumpExport clump{shape, density, fs::path(path).filename().string()};
   for (const ExportedFile& file : entry(format).files(clump)) {
-    if (file.suffix.find('/') != std::string::npos) {
-      std::error_code error; // write() says so when the folder is not there
-      if (fs::is_directory(
-              fs::path(path).parent_path().empty() ? "." : fs::path(path).parent_path(), error))
-        fs::create_directories(fs::path(path + file.suffix).parent_path(), error);
-    }
+    // Folders inside the export are made, the one that it goes to is not.
+    const fs::path parent = fs::absolute(path).parent_path();
+    std::error_code error; // write() says so when a folder is not there
+    if (fs::is_directory(parent, error))
+      fs::create_directories(fs::path(path + file.suffix).parent_path(), error);
     write(path + file.suffix, file.text);
   }
 }
