@@ -3,6 +3,7 @@
 #include "apps/clump_table.h"
 #include "apps/octahedron_command.h"
 #include "coupling/atomic_file.h"
+#include "dem/clump_export.h"
 #include "dem/input_error.h"
 #include "dem/mass_properties.h"
 
@@ -20,7 +21,7 @@ namespace
 namespace fs = std::filesystem;
 
 struct Options {
-  std::vector<std::string> stones;
+  std::vector<std::string> stones, formats;
   std::string scheme = "mesh", radius = "surface", unit = "m", output, report, table;
   double d_min = -1, r_min = -1;                            // negative: not given [m]
   double target_volume_error = 0, target_inertia_error = 0; // [%]
@@ -43,6 +44,9 @@ dem::ClumpParameters clump_parameters(const Options& options)
       throw InputError(std::string("The option ") + name +
                        " is missing or negative, but must be a length of 0 m or more.");
   if (options.density < 0) throw InputError("The density is negative, but must be above 0 kg/m3.");
+  for (const std::string& format : options.formats) dem::clump_format(format); // throws
+  if (!options.formats.empty() && options.density == 0)
+    throw InputError("Other codes need masses: give --density in kg/m3 with --format.");
   dem::ClumpParameters parameters = options.parameters;
   parameters.d_min = options.d_min;
   parameters.r_min = options.r_min;
@@ -98,6 +102,15 @@ ClumpResult make_clump(const std::string& file, const Options& options,
   return result;
 }
 
+// The clump file, and one for each other code.
+void write_clump(const std::string& path, const ClumpResult& result, const Options& options)
+{
+  dem::write_clump_shape(path, result.shape);
+  for (const std::string& format : options.formats)
+    dem::export_clump(dem::clump_export_path(path, dem::clump_format(format)), result.shape,
+                      dem::clump_format(format), options.density);
+}
+
 void create_folder(const fs::path& folder)
 {
   std::error_code error;
@@ -133,8 +146,11 @@ void make_one(const std::string& file, const Options& options,
   std::printf("%s", missed_targets(result).c_str());
   const std::string clump = options.output.empty() ? result.name + ".clump.json" : options.output;
   create_folder(fs::path(clump).parent_path());
-  dem::write_clump_shape(clump, result.shape);
+  write_clump(clump, result, options);
   std::printf("Clump: '%s'\n", clump.c_str());
+  for (const std::string& format : options.formats)
+    std::printf("For %s: '%s'\n", format.c_str(),
+                dem::clump_export_path(clump, dem::clump_format(format)).c_str());
   const std::string beside = (fs::path(clump).parent_path() / result.name).string();
   write_report(options.report.empty() ? beside + ".report.json" : options.report, {result});
 }
@@ -151,9 +167,8 @@ void make_many(const std::vector<std::string>& files, const Options& options,
     results.push_back(make_clump(file, options, parameters));
     print_clump_table_row(results.back());
     std::fflush(stdout); // a row as soon as its clump is there
-    dem::write_clump_shape(
-        (fs::path(options.output) / (results.back().name + ".clump.json")).string(),
-        results.back().shape);
+    write_clump((fs::path(options.output) / (results.back().name + ".clump.json")).string(),
+                results.back(), options);
   }
   print_clump_table_means(results);
   for (const ClumpResult& result : results) std::printf("%s", missed_targets(result).c_str());
@@ -203,6 +218,11 @@ void add_clump_command(CLI::App& app)
   add("--unit", options->unit, "Length unit of the stones: m or mm")->capture_default_str();
   add("-o,--output", options->output,
       "Clump file (default: the stone's name with .clump.json, here); folder for several stones");
+  add("--format", options->formats,
+      "Also write the clump for other codes, beside the clump file: lammps, liggghts, yade, "
+      "mercury, "
+      "pfc, csv, vtk; needs --density")
+      ->delimiter(',');
   add("--report", options->report, "Report file (default: NAME.report.json beside the clump)");
   add("--table", options->table,
       "Instead of all this: print a published table beside ours (octahedron)");
