@@ -4,6 +4,7 @@
 #include "dem/input_error.h"
 #include "dem/mass_properties.h"
 #include "dem/stone_size.h"
+#include "dem/ballast_sizes.h"
 #include "dem/synthetic_stone.h"
 #include "tests/dem_solids.h"
 
