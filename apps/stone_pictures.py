@@ -72,10 +72,10 @@ def mesh_moments(triangles):
 def shade(normals, colour):
     """Colours of surface points with these unit normals."""
     key, fill = KEY / np.linalg.norm(KEY), FILL / np.linalg.norm(FILL)
-    light = 0.24 + 0.72 * np.clip(normals @ key, 0, None) + 0.16 * np.clip(normals @ fill, 0, None)
+    light = 0.30 + 0.82 * np.clip(normals @ key, 0, None) + 0.20 * np.clip(normals @ fill, 0, None)
     # What turns away from the viewer darkens a little, which lifts bodies off the paper.
     light *= 0.72 + 0.28 * np.clip(normals[..., 2], 0, 1)
-    return np.clip(light[..., None] * np.asarray(colour) * 1.12, 0, 1)
+    return np.clip(light[..., None] * np.asarray(colour) * 1.18, 0, 1)
 
 
 def averaged(image):

@@ -8,7 +8,7 @@ namespace interlock::dem
 namespace
 {
 // What is left of the ellipsoid bounds the body beyond the corners of the faces.
-constexpr double bound = 1.2;
+constexpr double bound = 1.3;
 
 // The larger of a and b (the larger one positive), with the kink at a = b smoothed over a width of
 // `wear` times the value; homogeneous of degree 1.
@@ -111,8 +111,6 @@ void Fragment::draw_scars(const StoneStyle& style, RandomStream& random)
     // Rays that graze the ball must do so outside the body, or its surface would jump there.
     const double reach = 1.3 * bound;
     face.radius = std::max(radius, (reach * reach / face.distance - face.distance) / 2);
-    // As much hollowed out in the middle as left standing at the rim.
-    face.distance *= 1 - depth / 2;
   }
 }
 
@@ -135,7 +133,7 @@ void Fragment::draw_steps(const StoneStyle& style, RandomStream& random)
   for (int k = 0; k < count; ++k) {
     const Vector3 middle = random.direction();
     const Vector3 sideways = middle.cross(random.direction()).normalized();
-    const double height = 2 * semi_axes_[1] * style.scar_depth * random.uniform(1, 2);
+    const double height = 2 * semi_axes_[1] * style.scar_depth * random.uniform(1, 2.5);
     const Vector3 foot = surface_point(middle) - height * middle;
     // The floor is nearly square to the ray, the riser 25 to 40 degrees off it: a steeper one would
     // pull the nodes of the mesh apart.

@@ -14,16 +14,16 @@ struct StoneStyle {
   double elongation_spread = 0.11; // 0-0.2
 
   // Fracture faces: fewer give a more angular stone. 5-40.
-  int faces = 12;
+  int faces = 10;
   // Width of the rounding of edges and corners, relative to the distance from the centre: at 0.04
   // a right-angled edge of a 40 mm stone has lost about 0.2 mm. 0.005-0.5.
   double edge_wear = 0.04;
 
   // Conchoidal scars: mean number of faces that are hollow (parts of spheres), 0-20, and how deep a
   // hollow is whose rim is half a sieve size across, relative to the sieve size, 0-0.1.
-  int scars = 5;
-  double scar_depth = 0.04;
-  // Mean number of steps, where a flake broke off across a part of a face, 0-6; they are one to two
+  int scars = 4;
+  double scar_depth = 0.022;
+  // Mean number of steps, where a flake broke off across a part of a face, 0-6; they are one to two and a half
   // scar depths high.
   int steps = 2;
 

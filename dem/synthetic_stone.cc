@@ -1,6 +1,7 @@
 #include "dem/synthetic_stone.h"
 
 #include "dem/ballast_sizes.h"
+#include "dem/edge_flips.h"
 #include "dem/fragment.h"
 #include "dem/geodesic_sphere.h"
 #include "dem/input_error.h"
@@ -54,6 +55,7 @@ TriangleMesh wrap(const Form& form, int f)
     mesh = quartered(mesh);
     relax(mesh, form, 20);
   }
+  flip_edges(mesh, [&](const Vector3& x) { return (x - form.project(x)).norm(); });
   return mesh;
 }
 
