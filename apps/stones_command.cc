@@ -97,8 +97,8 @@ void add_style_options(CLI::App& command, dem::StoneStyle& style)
     command.add_option(name, entry, text)->capture_default_str()->group("Form of the stones");
   };
   add("--spacing", style.spacing,
-      "Mean distance of neighbouring nodes [m]: 0.0005 gives some 20,000 nodes a stone; 0: 1442 to "
-      "2892 nodes");
+      "Mean distance of neighbouring nodes [m]: 0.0005 gives some 20,000 nodes a stone; 0: 1692 to "
+      "2562 nodes");
   add("--flatness", style.flatness, "Mean of shortest over intermediate axis [-]");
   add("--flatness-spread", style.flatness_spread, "Its standard deviation [-]");
   add("--elongation", style.elongation, "Mean of intermediate over longest axis [-]");

@@ -35,7 +35,7 @@ struct StoneStyle {
   double roughness_exponent = 0.8;
 
   // Mean distance of neighbouring nodes [m], 0.0001-0.005. 0: about 0.0016, but never less than
-  // 1442 nor more than 2892 nodes a stone. A finer mesh has finer roughness on the same stone.
+  // 1692 nor more than 2562 nodes a stone. A finer mesh has finer roughness on the same stone.
   double spacing = 0;
 };
 

@@ -67,7 +67,7 @@ int fineness(double area, double spacing)
     return int(std::lround(std::sqrt(area / (std::sqrt(3.) / 2 * h * h) / 10)));
   };
   // By default within what the clump generator needs and a DEM can afford.
-  return spacing > 0 ? std::max(4, wanted(spacing)) : std::clamp(wanted(0.0016), 12, 17);
+  return spacing > 0 ? std::max(4, wanted(spacing)) : std::clamp(wanted(0.0016), 13, 16);
 }
 
 TriangleMesh make_stone(double size, std::uint64_t seed, const StoneStyle& style)
