@@ -53,12 +53,13 @@ void print_summary(const std::vector<dem::StoneForm>& forms)
     return sum / values.size();
   };
   row("mean", mean);
-  if (forms.size() > 1) row("spread", [&](const std::vector<double>& values) {
-    const double middle = mean(values);
-    double squares = 0;
-    for (const double x : values) squares += (x - middle) * (x - middle);
-    return std::sqrt(squares / (values.size() - 1));
-  });
+  if (forms.size() > 1)
+    row("spread", [&](const std::vector<double>& values) {
+      const double middle = mean(values);
+      double squares = 0;
+      for (const double x : values) squares += (x - middle) * (x - middle);
+      return std::sqrt(squares / (values.size() - 1));
+    });
 }
 
 void make(const Options& options)
@@ -85,10 +86,11 @@ void make(const Options& options)
     forms.push_back(form);
   }
   print_summary(forms);
-  std::printf("%zu stones in '%s', %.2f kg at %.0f kg/m3. L, I, S: longest, intermediate, shortest "
-              "axis.\nLengths of edges vary by %.0f %% (standard deviation) on the least even mesh. "
-              "What the columns\nmean and what is published: docs/theory/stones.md.\n",
-              stones.size(), options.folder.c_str(), mass, density, 100 * widest_spacing);
+  std::printf(
+      "%zu stones in '%s', %.2f kg at %.0f kg/m3. L, I, S: longest, intermediate, shortest "
+      "axis.\nLengths of edges vary by %.0f %% (standard deviation) on the least even mesh. "
+      "What the columns\nmean and what is published: docs/theory/stones.md.\n",
+      stones.size(), options.folder.c_str(), mass, density, 100 * widest_spacing);
 }
 
 void add_style_options(CLI::App& command, dem::StoneStyle& style)

@@ -29,12 +29,16 @@ Outline outline_of(const TriangleMesh& mesh, const std::vector<Vector2>& shadow)
   for (const auto& triangle : mesh.triangles)
     for (int side = 0; side < 3; ++side) {
       Vector2 a = shadow[triangle[side]], b = shadow[triangle[(side + 1) % 3]];
-      if (cross(a, b) <= 0) continue; // every edge is run through in both directions
+      // Every edge is run through in both directions. Those that point at the origin lie between
+      // others and would divide nothing by nothing.
+      if (cross(a, b) <= 1e-9 * a.norm() * b.norm()) continue;
       const double first = std::atan2(a[1], a[0]) * rays / (2 * M_PI);
       const double span = std::atan2(cross(a, b), a.dot(b)) * rays / (2 * M_PI);
       for (int k = int(std::ceil(first)); k <= first + span; ++k) {
         const Vector2 direction = ray(k);
-        const double distance = cross(a, b) / cross(direction, b - a);
+        // Rounding may put a ray beside the edge, even parallel to it: hence the bound.
+        const double distance =
+            std::min(cross(a, b) / cross(direction, b - a), std::max(a.norm(), b.norm()));
         double& known = farthest[(k + rays) % rays];
         known = std::max(known, distance);
       }

@@ -7,10 +7,11 @@ namespace interlock::dem
 {
 // Angularity index of Rao, Tutumluer and Kim (2002), Quantification of coarse aggregate angularity
 // based on image analysis, Transportation Research Record 1787, 117-124: the shadow's outline is
-// made a polygon of 24 equal steps, beta is the change of the angle at the vertex from one vertex to
-// the next [degrees], and A is the sum of beta over the vertices, rounded down to tens. The index is
-// the mean of A over three shadows at right angles, weighted by their areas. A circle has 0 and a
-// square 720 (two changes of 90 degrees a corner), a cube 720, if a vertex meets each corner.
+// made a polygon of 24 equal steps, beta is the change of the angle at the vertex from one vertex
+// to the next [degrees], and A is the sum of beta over the vertices, rounded down to tens. The
+// index is the mean of A over three shadows at right angles, weighted by their areas. A circle has
+// 0. A square has 720 (two changes of 90 degrees a corner) where vertices meet its corners, 500 on
+// average.
 //
 // Chosen here because the source leaves it open: shadows are taken along the principal axes of
 // inertia; an outline is what is seen from the middle of the shadow (the farthest point on each of

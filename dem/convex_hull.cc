@@ -28,7 +28,8 @@ double convex_hull_volume(const std::vector<Vector3>& points)
   qh_freeqhull(&state, !qh_ALL);
   int used = 0, total = 0;
   qh_memfreeshort(&state, &used, &total);
-  if (failed) throw InputError("The points of the surface span no volume, so it has no convex hull.");
+  if (failed)
+    throw InputError("The points of the surface span no volume, so it has no convex hull.");
   return volume;
 }
 } // namespace interlock::dem

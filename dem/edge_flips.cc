@@ -29,8 +29,8 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh)
   return sides;
 }
 
-// Fair: seen from behind from the origin, and at least a third as high as an equilateral triangle of
-// its longest side.
+// Fair: seen from behind from the origin, and at least a third as high as an equilateral triangle
+// of its longest side.
 bool fair(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 normal = (b - a).cross(c - a);

@@ -141,8 +141,7 @@ void Fragment::draw_steps(const StoneStyle& style, RandomStream& random)
     const Vector3 floor = std::cos(tilt) * middle + std::sin(tilt) * sideways;
     const Vector3 riser = std::sin(slope) * middle + std::cos(slope) * sideways;
     if (foot.dot(middle) > 0.2)
-      steps_.push_back(
-          {{floor, foot.dot(floor), INFINITY}, {riser, foot.dot(riser), INFINITY}});
+      steps_.push_back({{floor, foot.dot(floor), INFINITY}, {riser, foot.dot(riser), INFINITY}});
   }
 }
 } // namespace interlock::dem

@@ -12,8 +12,8 @@ void require(const char* what, double value, double low, double high, const char
 {
   if (value >= low && value <= high) return; // a NaN is refused
   std::ostringstream sentence;
-  sentence << "The " << what << " of the stones is " << value << unit << ", but must be from " << low
-           << " to " << high << unit << ".";
+  sentence << "The " << what << " of the stones is " << value << unit << ", but must be from "
+           << low << " to " << high << unit << ".";
   throw InputError(sentence.str());
 }
 } // namespace

@@ -15,16 +15,16 @@ struct StoneStyle {
 
   // Fracture faces: fewer give a more angular stone. 5-40.
   int faces = 10;
-  // Width of the rounding of edges and corners, relative to the distance from the centre: at 0.04
-  // a right-angled edge of a 40 mm stone has lost about 0.2 mm. 0.005-0.5.
-  double edge_wear = 0.04;
+  // Width of the rounding of edges and corners, relative to the distance from the centre: at 0.06
+  // a right-angled edge of a 40 mm stone has lost about 0.3 mm. 0.005-0.5.
+  double edge_wear = 0.06;
 
   // Conchoidal scars: mean number of faces that are hollow (parts of spheres), 0-20, and how deep a
   // hollow is whose rim is half a sieve size across, relative to the sieve size, 0-0.1.
   int scars = 4;
   double scar_depth = 0.022;
-  // Mean number of steps, where a flake broke off across a part of a face, 0-6; they are one to two and a half
-  // scar depths high.
+  // Mean number of steps, where a flake broke off across a part of a face, 0-6; they are one to two
+  // and a half scar depths high.
   int steps = 2;
 
   // Roughness: rms height [m] of the waves of 10 mm, 0-0.002. Waves of length l have it times
