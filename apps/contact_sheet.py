@@ -119,10 +119,9 @@ def contact_sheet(stones, columns, cell_width):
 
 
 def save(figure, path):
-    """Under a temporary name first; with a palette of 256 colours, which a PNG needs a third for."""
+    """Under a temporary name first, so that a reader never finds half a picture."""
     temporary = path + ".part"
-    arguments = {"format": os.path.splitext(path)[1][1:] or "png", "dpi": 100}
-    figure.savefig(temporary, **arguments)
+    figure.savefig(temporary, dpi=100, format=os.path.splitext(path)[1][1:] or "png")
     os.replace(temporary, path)
     print(f"Wrote {path}.")
 

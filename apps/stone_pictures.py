@@ -17,7 +17,7 @@ import numpy as np
 
 WHITE = 1.0
 GRANITE = (0.66, 0.64, 0.62)
-CLUMP = (0.80, 0.58, 0.36)
+CLUMP = (0.74, 0.57, 0.42)
 # Key light from the upper left behind the viewer's shoulder, a weak fill light from the right.
 KEY = np.array([-0.55, 0.62, 0.56])
 FILL = np.array([0.8, 0.1, 0.6])

@@ -70,7 +70,7 @@ void make(const Options& options)
               "mass", "flatness", "elongation", "sphericity", "convexity", "angularity");
   std::printf("%-14s %6s %7s %7s %8s %9s %10s %10s %9s %10s\n", "", "", "[mm]", "[mm]", "[g]",
               "S/I [-]", "I/L [-]", "[-]", "[-]", "AI [deg]");
-  double mass = 0, widest_spacing = 0;
+  double mass = 0, long_mass = 0, widest_spacing = 0;
   std::vector<dem::StoneForm> forms;
   for (std::size_t i = 0; i < stones.size(); ++i) {
     char name[32];
@@ -82,15 +82,17 @@ void make(const Options& options)
                 1e3 * density * form.volume, form.size.flatness(), form.size.elongation(),
                 form.size.sphericity, form.convexity, form.angularity);
     mass += density * form.volume;
+    if (form.size.longest > 3 * form.size.shortest) long_mass += density * form.volume;
     widest_spacing = std::max(widest_spacing, dem::node_spacing(stones[i]).variation);
     forms.push_back(form);
   }
   print_summary(forms);
-  std::printf(
-      "%zu stones in '%s', %.2f kg at %.0f kg/m3. L, I, S: longest, intermediate, shortest "
-      "axis.\nLengths of edges vary by %.0f %% (standard deviation) on the least even mesh. "
-      "What the columns\nmean and what is published: docs/theory/stones.md.\n",
-      stones.size(), options.folder.c_str(), mass, density, 100 * widest_spacing);
+  std::printf("%zu stones in '%s', %.2f kg at %.0f kg/m3, of which %.1f %% have L > 3 S. L, I, S:\n"
+              "longest, intermediate, shortest axis. Lengths of edges vary by %.0f %% (standard "
+              "deviation) on the\nleast even mesh. Definitions and published values: "
+              "docs/theory/stones.md.\n",
+              stones.size(), options.folder.c_str(), mass, density, 100 * long_mass / mass,
+              100 * widest_spacing);
 }
 
 void add_style_options(CLI::App& command, dem::StoneStyle& style)
@@ -99,22 +101,21 @@ void add_style_options(CLI::App& command, dem::StoneStyle& style)
     command.add_option(name, entry, text)->capture_default_str()->group("Form of the stones");
   };
   add("--spacing", style.spacing,
-      "Mean distance of neighbouring nodes [m]: 0.0005 gives some 20,000 nodes a stone; 0: 1692 to "
-      "2562 nodes");
+      "Distance of nodes [m]; 0.0005: some 20,000 a stone; 0: 1692 to 2562");
   add("--flatness", style.flatness, "Mean of shortest over intermediate axis [-]");
   add("--flatness-spread", style.flatness_spread, "Its standard deviation [-]");
   add("--elongation", style.elongation, "Mean of intermediate over longest axis [-]");
   add("--elongation-spread", style.elongation_spread, "Its standard deviation [-]");
   add("--faces", style.faces, "Mean number of fracture faces; fewer are more angular");
   add("--edge-wear", style.edge_wear,
-      "Width of rounded edges over distance from the centre [-]; less is more angular");
+      "Rounding of edges over distance from the centre [-]; less: angular");
   add("--scars", style.scars, "Mean number of hollow (conchoidal) faces");
   add("--scar-depth", style.scar_depth,
       "Depth of a hollow half a stone across, over the sieve size [-]");
   add("--steps", style.steps, "Mean number of steps left by broken-off flakes");
   add("--roughness", style.roughness, "Rms height of the waves of 10 mm [m]");
   add("--roughness-exponent", style.roughness_exponent,
-      "Height of waves grows with their length to this power [-]");
+      "Height of waves grows with this power of their length [-]");
 }
 } // namespace
 
