@@ -129,8 +129,10 @@ def save(figure, path):
 def main():
     parser = argparse.ArgumentParser(description="Contact sheet of stones and their clumps.")
     parser.add_argument("stones", metavar="STONES_DIR", help="folder of binary STL files in metres")
-    parser.add_argument("--clumps", metavar="CLUMPS_DIR", help="folder of NAME.clump.json (default: the stones')")
-    parser.add_argument("-o", "--output", default="contact_sheet.png", metavar="FILE", help="picture to write")
+    parser.add_argument("--clumps", metavar="CLUMPS_DIR",
+                        help="folder of NAME.clump.json (default: the stones')")
+    parser.add_argument("-o", "--output", default="contact_sheet.png", metavar="FILE",
+                        help="picture to write")
     parser.add_argument("--columns", type=int, default=6, help="stones beside one another")
     parser.add_argument("--cell", type=int, default=150, help="width of one stone's picture [pixels]")
     arguments = parser.parse_args()

@@ -55,13 +55,13 @@ def view_from(azimuth, elevation):
 
 def mesh_moments(triangles):
     """Centre of volume and principal axes (rows, longest extent first) of a closed mesh."""
-    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
-    volumes = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6
-    centre = ((a + b + c) * volumes[:, None]).sum(0) / (4 * volumes.sum())
-    corners = [x - centre for x in (a, b, c)]
-    total = sum(corners)
-    # Second moments of a tetrahedron with one corner at the origin.
-    second = sum(np.einsum("i,ij,ik->jk", volumes, x, x) for x in [*corners, total]) / 20
+    def cut(points):  # into tetrahedra with one corner at the origin
+        return points.swapaxes(0, 1), np.linalg.det(points) / 6
+    corners, volumes = cut(triangles)
+    centre = (corners.sum(0) * volumes[:, None]).sum(0) / (4 * volumes.sum())
+    corners, volumes = cut(triangles - centre)
+    # Second moments of a tetrahedron: volume/20 times those of its corners and of their sum.
+    second = sum(np.einsum("i,ij,ik->jk", volumes, x, x) for x in [*corners, corners.sum(0)]) / 20
     axes = np.linalg.eigh(second)[1][:, ::-1].T
     for row in axes[:2]:  # as the frame of a clump has them: see principal_frame()
         row *= np.sign(row[np.argmax(np.abs(row))])
@@ -129,7 +129,7 @@ def draw_mesh(triangles, view, width, height, scale, centre=(0, 0, 0), colour=GR
         seen = (wa >= -1e-9) & (wb >= -1e-9) & (wc >= -1e-9) & (here > window)
         if seen.any():
             window[seen] = here[seen]
-            mixed = wa[seen][:, None] * normal[0] + wb[seen][:, None] * normal[1] + wc[seen][:, None] * normal[2]
+            mixed = np.stack([wa[seen], wb[seen], wc[seen]], -1) @ normal
             mixed /= np.maximum(np.linalg.norm(mixed, axis=1, keepdims=True), 1e-300)
             image[top:bottom, left:right][seen] = shade(mixed, colour)
     return averaged(image)

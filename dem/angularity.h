@@ -13,6 +13,7 @@ namespace interlock::dem
 // 0. A square has 720 (two changes of 90 degrees a corner) where vertices meet its corners, 500 on
 // average.
 //
+// The source writes shares of vertices; only their numbers give the published values of hundreds.
 // Chosen here because the source leaves it open: shadows are taken along the principal axes of
 // inertia; an outline is what is seen from the middle of the shadow (the farthest point on each of
 // 720 rays), and A is the mean over twelve places for the first vertex.
