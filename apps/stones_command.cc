@@ -1,10 +1,11 @@
 #include "apps/stones_command.h"
 
 #include "dem/input_error.h"
-#include "dem/mass_properties.h"
-#include "dem/stone_size.h"
+#include "dem/stone_form.h"
 #include "dem/synthetic_stone.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -17,6 +18,7 @@ struct Options {
   int count = 0;
   std::uint64_t seed = 1;
   std::string folder;
+  dem::StoneStyle style;
 };
 
 constexpr double density = 2650; // of granite, for the printed masses only [kg/m3]
@@ -29,27 +31,91 @@ void create_folder(const std::string& folder)
     throw InputError("The folder '" + folder + "' for the stones cannot be created.");
 }
 
+// Mean and standard deviation of what the stones have in common.
+void print_summary(const std::vector<dem::StoneForm>& forms)
+{
+  const auto row = [&](const char* label, auto statistic) {
+    const auto of = [&](auto member) {
+      std::vector<double> values;
+      for (const dem::StoneForm& form : forms) values.push_back(member(form));
+      return statistic(values);
+    };
+    std::printf("%-14s %6s %7s %7s %8s %9.2f %10.2f %10.3f %9.3f %10.0f\n", label, "", "", "", "",
+                of([](const auto& f) { return f.size.flatness(); }),
+                of([](const auto& f) { return f.size.elongation(); }),
+                of([](const auto& f) { return f.size.sphericity; }),
+                of([](const auto& f) { return f.convexity; }),
+                of([](const auto& f) { return f.angularity; }));
+  };
+  const auto mean = [](const std::vector<double>& values) {
+    double sum = 0;
+    for (const double x : values) sum += x;
+    return sum / values.size();
+  };
+  row("mean", mean);
+  if (forms.size() > 1)
+    row("spread", [&](const std::vector<double>& values) {
+      const double middle = mean(values);
+      double squares = 0;
+      for (const double x : values) squares += (x - middle) * (x - middle);
+      return std::sqrt(squares / (values.size() - 1));
+    });
+}
+
 void make(const Options& options)
 {
-  const auto stones = dem::make_stones(options.count, options.seed);
+  const auto stones = dem::make_stones(options.count, options.seed, options.style);
   create_folder(options.folder);
-  std::printf("%-14s %6s %10s %10s %9s %11s %11s\n", "stone", "nodes", "sieve [mm]", "long [mm]",
-              "mass [g]", "flatness", "elongation");
-  double total = 0;
+  std::printf("%-14s %6s %7s %7s %8s %9s %10s %10s %9s %10s\n", "stone", "nodes", "sieve", "long",
+              "mass", "flatness", "elongation", "sphericity", "convexity", "angularity");
+  std::printf("%-14s %6s %7s %7s %8s %9s %10s %10s %9s %10s\n", "", "", "[mm]", "[mm]", "[g]",
+              "S/I [-]", "I/L [-]", "[-]", "[-]", "AI [deg]");
+  double mass = 0, long_mass = 0, widest_spacing = 0;
+  std::vector<dem::StoneForm> forms;
   for (std::size_t i = 0; i < stones.size(); ++i) {
     char name[32];
     std::snprintf(name, sizeof(name), "stone_%03zu.stl", i + 1);
     dem::write_stl((std::filesystem::path(options.folder) / name).string(), stones[i]);
-    const dem::StoneSize size = dem::stone_size(stones[i]);
-    const double mass = density * dem::mass_properties(stones[i]).volume;
-    total += mass;
-    std::printf("%-14s %6zu %10.1f %10.1f %9.1f %11.2f %11.2f\n", name, stones[i].vertices.size(),
-                1e3 * size.sieve, 1e3 * size.longest, 1e3 * mass, size.flatness(),
-                size.elongation());
+    const dem::StoneForm form = dem::stone_form(stones[i]);
+    std::printf("%-14s %6zu %7.1f %7.1f %8.1f %9.2f %10.2f %10.3f %9.3f %10.0f\n", name,
+                stones[i].vertices.size(), 1e3 * form.size.sieve, 1e3 * form.size.longest,
+                1e3 * density * form.volume, form.size.flatness(), form.size.elongation(),
+                form.size.sphericity, form.convexity, form.angularity);
+    mass += density * form.volume;
+    if (form.size.longest > 3 * form.size.shortest) long_mass += density * form.volume;
+    widest_spacing = std::max(widest_spacing, dem::node_spacing(stones[i]).variation);
+    forms.push_back(form);
   }
-  std::printf("%zu stones in '%s', %.2f kg at %.0f kg/m3; flatness is shortest/intermediate, "
-              "elongation intermediate/longest axis.\n",
-              stones.size(), options.folder.c_str(), total, density);
+  print_summary(forms);
+  std::printf("%zu stones in '%s', %.2f kg at %.0f kg/m3, of which %.1f %% have L > 3 S. L, I, S:\n"
+              "longest, intermediate, shortest axis. Lengths of edges vary by %.0f %% (standard "
+              "deviation) on the\nleast even mesh. Definitions and published values: "
+              "docs/theory/stones.md.\n",
+              stones.size(), options.folder.c_str(), mass, density, 100 * long_mass / mass,
+              100 * widest_spacing);
+}
+
+void add_style_options(CLI::App& command, dem::StoneStyle& style)
+{
+  const auto add = [&](const char* name, auto& entry, const char* text) {
+    command.add_option(name, entry, text)->capture_default_str()->group("Form of the stones");
+  };
+  add("--spacing", style.spacing,
+      "Distance of nodes [m]; 0.0005: some 20,000 a stone; 0: 1692 to 2562");
+  add("--flatness", style.flatness, "Mean of shortest over intermediate axis [-]");
+  add("--flatness-spread", style.flatness_spread, "Its standard deviation [-]");
+  add("--elongation", style.elongation, "Mean of intermediate over longest axis [-]");
+  add("--elongation-spread", style.elongation_spread, "Its standard deviation [-]");
+  add("--faces", style.faces, "Mean number of fracture faces; fewer are more angular");
+  add("--edge-wear", style.edge_wear,
+      "Rounding of edges over distance from the centre [-]; less: angular");
+  add("--scars", style.scars, "Mean number of hollow (conchoidal) faces");
+  add("--scar-depth", style.scar_depth,
+      "Depth of a hollow half a stone across, over the sieve size [-]");
+  add("--steps", style.steps, "Mean number of steps left by broken-off flakes");
+  add("--roughness", style.roughness, "Rms height of the waves of 10 mm [m]");
+  add("--roughness-exponent", style.roughness_exponent,
+      "Height of waves grows with this power of their length [-]");
 }
 } // namespace
 
@@ -61,6 +127,7 @@ void add_stones_command(CLI::App& app)
   command->add_option("--count", options->count, "Number of stones")->required();
   command->add_option("--seed", options->seed, "Seed of the forms")->capture_default_str();
   command->add_option("-o,--output", options->folder, "Folder for stone_001.stl ...")->required();
+  add_style_options(*command, options->style);
   command->callback([options] { make(*options); });
 }
 } // namespace interlock::apps
