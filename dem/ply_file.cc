@@ -16,7 +16,8 @@ class Values
 {
 public:
   Values(const InputFile& file, const PlyHeader& header)
-      : file_(file), header_(header), data_(file.bytes().substr(header.data)), text_(file, data_)
+      : file_(file), header_(header), data_(file.bytes().substr(header.data)),
+        text_(file, data_, "", header.data_line)
   {
   }
 
@@ -47,8 +48,7 @@ public:
 
   std::string place() const
   {
-    if (header_.format == PlyHeader::Format::text)
-      return "line " + std::to_string(header_.data_line + text_.line() - 1);
+    if (header_.format == PlyHeader::Format::text) return "line " + std::to_string(text_.line());
     return element_->name + " " + std::to_string(row_ + 1);
   }
 

@@ -5,8 +5,9 @@
 
 namespace interlock::dem
 {
-TextScanner::TextScanner(const InputFile& file, std::string_view text, std::string_view separators)
-    : file_(file), text_(text)
+TextScanner::TextScanner(const InputFile& file, std::string_view text, std::string_view separators,
+                         int first_line)
+    : file_(file), text_(text), line_(first_line)
 {
   for (const unsigned char c : {' ', '\t', '\r', '\v', '\f'}) separates_[c] = true;
   for (const unsigned char c : separators) separates_[c] = true;

@@ -7,12 +7,13 @@
 
 namespace interlock::dem
 {
-// Starts on line 1 of `text`. Words are separated by blanks, tabs, carriage returns and the
-// characters of `separators`.
+// Starts at the start of `text`, which is line `first_line` of the file. Words are separated by
+// blanks, tabs, carriage returns and the characters of `separators`.
 class TextScanner
 {
 public:
-  TextScanner(const InputFile& file, std::string_view text, std::string_view separators = "");
+  TextScanner(const InputFile& file, std::string_view text, std::string_view separators = "",
+              int first_line = 1);
 
   // The next word of this line; empty at its end.
   std::string_view word();
@@ -34,6 +35,6 @@ private:
   std::string_view text_;
   std::array<bool, 256> separates_{};
   std::size_t position_ = 0;
-  int line_ = 1;
+  int line_;
 };
 } // namespace interlock::dem
