@@ -28,6 +28,8 @@ constexpr int neighbours = 24;
 // Cosine between two normals below which they belong to opposite sides of the stone. Beyond the
 // right angle, so that the faces at a square edge see each other despite noise.
 constexpr double other_side = -0.3;
+// And below which there is a sharp edge between the points.
+constexpr double beyond_edge = 0.8;
 
 Point to_point(const Vector3& x)
 {
@@ -71,7 +73,10 @@ public:
     for (const int other : found_) {
       if (cloud_.normals[other].dot(n) < other_side) continue;
       const Vector3 offset = cloud_.points[other] - x;
-      clip(polygon_, scratch_, {offset.dot(first), offset.dot(second)}, offset.squaredNorm() / 2);
+      const Vector2 along(offset.dot(first), offset.dot(second));
+      const bool is_beyond_edge = cloud_.normals[other].dot(n) < beyond_edge;
+      clip(polygon_, scratch_, along,
+           offset.norm() * (is_beyond_edge ? offset.norm() : along.norm()) / 2);
     }
     append_fan(x, first, second);
   }

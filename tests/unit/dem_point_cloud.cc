@@ -29,15 +29,30 @@ void expect_ellipsoid(const CloudProperties& found, const Vector3& half, double 
 TEST(PointCloud, EvenEllipsoid)
 {
   const Vector3 half(0.02, 0.015, 0.01);
-  expect_ellipsoid(cloud_properties(clouds::ellipsoid(half, 500)), half, 0.01, 0.02);
-  expect_ellipsoid(cloud_properties(clouds::ellipsoid(half, 5000)), half, 0.001, 0.002);
+  expect_ellipsoid(cloud_properties(clouds::ellipsoid(half, 500)), half, 0.005, 0.005);
+  expect_ellipsoid(cloud_properties(clouds::ellipsoid(half, 5000)), half, 0.0005, 0.0005);
 }
 
 TEST(PointCloud, RandomEllipsoid)
 {
   RandomStream generator(1);
   const Vector3 half(0.02, 0.015, 0.01);
-  expect_ellipsoid(cloud_properties(clouds::ellipsoid(half, 2000, &generator)), half, 0.01, 0.02);
+  expect_ellipsoid(cloud_properties(clouds::ellipsoid(half, 1000, &generator)), half, 0.01, 0.01);
+}
+
+TEST(PointCloud, NoisyEllipsoid)
+{
+  RandomStream generator(1);
+  const Vector3 half(0.02, 0.015, 0.01);
+  PointCloud cloud = clouds::ellipsoid(half, 5000, &generator);
+  const double spacing = 6e-4; // sqrt(area / points)
+  const auto noise = [&](double size) {
+    return Vector3(generator.uniform(-size, size), generator.uniform(-size, size),
+                   generator.uniform(-size, size));
+  };
+  for (Vector3& x : cloud.points) x += noise(0.1 * spacing);
+  for (Vector3& n : cloud.normals) n = (n + noise(0.1)).normalized();
+  expect_ellipsoid(cloud_properties(cloud), half, 0.015, 0.015);
 }
 
 TEST(PointCloud, Cube)
