@@ -26,7 +26,7 @@ struct MeshDiagnosis {
 };
 
 // Looks for crossings only where the surface is closed and of one shell: otherwise that is said
-// first, and 1.5 million facets take a second.
+// first, and 1.5 million facets take a second or two.
 void diagnose_surface(const TriangleMesh& mesh, MeshDiagnosis& diagnosis);
 
 // The first of these that is wrong as the end of a sentence ("is open: ..."), with its numbers;

@@ -20,7 +20,7 @@ struct StoneFileOptions {
 // extent that is not between smallest_stone and largest_stone (and which unit would fit), or when
 // fault_of has something to say. `diagnosis` gets what was found, also when it throws. No input
 // makes it crash, hang, or allocate more than some thirty times the size of the file; 1.5 million
-// facets in a binary STL file take 2 s and 0.5 GB. docs/decisions/0001-reading-scans.md says why
+// facets in a binary STL file take 3 s and 0.3 GB. docs/decisions/0001-reading-scans.md says why
 // the readers are own ones.
 TriangleMesh read_stone_mesh(const std::string& path, const StoneFileOptions& options,
                              MeshDiagnosis* diagnosis = nullptr);
