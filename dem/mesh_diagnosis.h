@@ -20,7 +20,7 @@ struct MeshDiagnosis {
   int shells = 0;              // parts of the surface that share no vertex
   double largest_shell_share = 0; // its volume in that of all shells, each taken as positive [-]
   double volume = 0;              // [m3]; negative if inside out, meaningless if open
-  SelfIntersection crossings;
+  SelfIntersection crossings;     // not complete where the search gave up; that is no fault
 
   bool closed() const { return edges.open + edges.flipped + edges.branching == 0; }
 };

@@ -18,10 +18,10 @@ struct StoneFileOptions {
 // missing, no file, empty, of another format than its extension says, cut short or damaged (line,
 // facet or bytes), without facets, with a coordinate that is not a finite number, with a largest
 // extent that is not between smallest_stone and largest_stone (and which unit would fit), or when
-// fault_of has something to say. `diagnosis` gets what was found, also when it throws. No input
-// makes it crash, hang, or allocate more than some thirty times the size of the file; 1.5 million
-// facets in a binary STL file take 3 s and 0.3 GB. docs/decisions/0001-reading-scans.md says why
-// the readers are own ones.
+// fault_of has something to say. `diagnosis` gets what was found, also when it throws. Counts in
+// a file are compared with its bytes before anything is allocated for them; 1.5 million facets in a
+// binary STL file take 3 s and 0.3 GB. docs/decisions/0001-reading-scans.md says why the readers
+// are own ones.
 TriangleMesh read_stone_mesh(const std::string& path, const StoneFileOptions& options,
                              MeshDiagnosis* diagnosis = nullptr);
 
