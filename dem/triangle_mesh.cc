@@ -1,41 +1,84 @@
 #include "dem/triangle_mesh.h"
 
+#include "dem/connected_parts.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace interlock::dem
 {
+namespace
+{
+// One facet runs through the edge between `low` and `high`, upwards or downwards.
+struct EdgeUse {
+  int high;
+  bool upwards;
+};
+
+// The uses of all edges, sorted into buckets by the lower vertex: uses[start[low]] to
+// uses[start[low + 1] - 1]. A sort of all of them at once takes four times as long.
+struct EdgeUses {
+  std::vector<int> start;
+  std::vector<EdgeUse> uses;
+};
+
+EdgeUses edge_uses(const TriangleMesh& mesh)
+{
+  EdgeUses result;
+  result.start.assign(mesh.vertices.size() + 1, 0);
+  const auto for_each_edge = [&](auto&& action) {
+    for (const auto& triangle : mesh.triangles)
+      for (int k = 0; k < 3; ++k) action(triangle[k], triangle[(k + 1) % 3]);
+  };
+  for_each_edge([&](int from, int to) { ++result.start[std::min(from, to) + 1]; });
+  std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
+  result.uses.resize(3 * mesh.triangles.size());
+  std::vector<int> next(result.start.begin(), result.start.end() - 1);
+  for_each_edge([&](int from, int to) {
+    result.uses[next[std::min(from, to)]++] = {std::max(from, to), from < to};
+  });
+  return result;
+}
+
+// Rims that share a vertex count as one hole.
+int count_holes(const std::vector<std::array<int, 2>>& open_edges, std::size_t vertices)
+{
+  if (open_edges.empty()) return 0;
+  ConnectedParts rims(vertices);
+  for (const auto& edge : open_edges) rims.join(edge[0], edge[1]);
+  std::vector<int> parts;
+  for (const auto& edge : open_edges) parts.push_back(rims.part(edge[0]));
+  std::sort(parts.begin(), parts.end());
+  return static_cast<int>(std::unique(parts.begin(), parts.end()) - parts.begin());
+}
+} // namespace
+
 EdgeDiagnosis diagnose_edges(const TriangleMesh& mesh)
 {
   // Each facet runs through its edges once; a sound edge is run through once in either direction.
-  struct Use {
-    int low, high, direction;
-    bool operator<(const Use& other) const
-    {
-      return low != other.low ? low < other.low : high < other.high;
-    }
-  };
-  std::vector<Use> uses;
-  uses.reserve(3 * mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles)
-    for (int k = 0; k < 3; ++k) {
-      const int from = triangle[k], to = triangle[(k + 1) % 3];
-      uses.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
-    }
-  std::sort(uses.begin(), uses.end());
-
   EdgeDiagnosis diagnosis;
-  for (auto first = uses.begin(); first != uses.end();) {
-    const auto last = std::upper_bound(first, uses.end(), *first);
-    const auto facets = last - first;
-    if (facets == 1)
-      ++diagnosis.open;
-    else if (facets > 2)
-      ++diagnosis.branching;
-    else if (first->direction == (first + 1)->direction)
-      ++diagnosis.flipped;
-    first = last;
+  std::vector<std::array<int, 2>> open_edges;
+  EdgeUses edges = edge_uses(mesh);
+  const auto is_lower = [](const EdgeUse& a, const EdgeUse& b) { return a.high < b.high; };
+  for (std::size_t low = 0; low < mesh.vertices.size(); ++low) {
+    const auto end = edges.uses.begin() + edges.start[low + 1];
+    auto first = edges.uses.begin() + edges.start[low];
+    std::sort(first, end, is_lower);
+    while (first != end) {
+      auto last = first;
+      while (last != end && last->high == first->high) ++last;
+      if (last - first == 1)
+        open_edges.push_back({static_cast<int>(low), first->high});
+      else if (last - first > 2)
+        ++diagnosis.branching;
+      else if (first->upwards == (first + 1)->upwards)
+        ++diagnosis.flipped;
+      first = last;
+    }
   }
+  diagnosis.open = static_cast<int>(open_edges.size());
+  diagnosis.holes = count_holes(open_edges, mesh.vertices.size());
   return diagnosis;
 }
 

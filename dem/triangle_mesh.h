@@ -16,15 +16,11 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles; // indices into vertices
 };
 
-// Reads an STL, PLY or OBJ file through Assimp (single precision), merges coincident vertices,
-// drops degenerate facets and the vertices that no facet uses. `length_unit` is the length of one
-// file unit in metres (0.001 for millimetres). Throws InputError with one sentence naming the file
-// when it is missing, unreadable, not a mesh, has no facet, a NaN coordinate, is open (how many
-// edges), or its largest extent is not between smallest_stone and largest_stone (unit). An
-// inside-out surface is an error too.
+// Reads an STL, PLY or OBJ file: stone_file.h says what is mended, diagnosed and refused, and has
+// the options. `length_unit` is the length of one file unit in metres (0.001 for millimetres).
 TriangleMesh read_stone_mesh(const std::string& path, double length_unit);
-constexpr double smallest_stone = 0.002; // [m]
-constexpr double largest_stone = 1.0;    // [m]
+constexpr double smallest_stone = 0.002; // largest extent of a stone at least [m]
+constexpr double largest_stone = 1.0;    // and at most [m]
 
 // Writes a binary STL (in metres, single precision), first under a temporary name, then renamed.
 // Throws InputError when the file cannot be written.
@@ -35,6 +31,7 @@ struct EdgeDiagnosis {
   int open = 0;      // one facet only: the rim of a hole
   int flipped = 0;   // two facets that disagree about which side is outside
   int branching = 0; // more than two facets
+  int holes = 0;     // rims: groups of open edges that hang together
 };
 EdgeDiagnosis diagnose_edges(const TriangleMesh& mesh);
 
