@@ -3,6 +3,7 @@
 #include "apps/clump_table.h"
 #include "apps/octahedron_command.h"
 #include "coupling/atomic_file.h"
+#include "dem/cloud_cells.h"
 #include "dem/clump_export.h"
 #include "dem/input_error.h"
 #include "dem/mass_properties.h"
@@ -25,16 +26,10 @@ struct Options {
   std::string scheme = "mesh", radius = "surface", unit = "m", output, report, table;
   double d_min = -1, r_min = -1;                            // negative: not given [m]
   double target_volume_error = 0, target_inertia_error = 0; // [%]
-  double density = 0;                                       // [kg/m3]
+  bool flip = false, accept_crossings = false;
+  double density = 0; // [kg/m3]
   dem::ClumpParameters parameters;
 };
-
-double metres(const std::string& unit)
-{
-  if (unit == "m") return 1;
-  if (unit == "mm") return 1e-3;
-  throw InputError("The length unit of the stone is '" + unit + "', but must be 'm' or 'mm'.");
-}
 
 dem::ClumpParameters clump_parameters(const Options& options)
 {
@@ -61,7 +56,16 @@ bool is_stone_file(const fs::path& path)
 {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".stl" || extension == ".ply" || extension == ".obj";
+  return extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".xyz";
+}
+
+dem::StoneFileOptions file_options(const Options& options)
+{
+  dem::StoneFileOptions file;
+  file.length_unit = dem::length_of_unit(options.unit);
+  file.flip = options.flip;
+  file.accept_crossings = options.accept_crossings;
+  return file;
 }
 
 // Files as they are; of folders the stones in them, by name.
@@ -77,27 +81,48 @@ std::vector<std::string> stone_files(const std::vector<std::string>& arguments)
     for (const auto& entry : fs::directory_iterator(argument))
       if (is_stone_file(entry.path())) inside.push_back(entry.path().string());
     if (inside.empty())
-      throw InputError("The folder '" + argument + "' has no .stl, .ply or .obj file in it.");
+      throw InputError("The folder '" + argument + "' has no .stl, .ply, .obj or .xyz file in it.");
     std::sort(inside.begin(), inside.end());
     files.insert(files.end(), inside.begin(), inside.end());
   }
   return files;
 }
 
-ClumpResult make_clump(const std::string& file, const Options& options,
-                       const dem::ClumpParameters& parameters)
+void make_clump_of_mesh(const Options& options, ClumpResult& result)
 {
-  const dem::TriangleMesh stone = dem::read_stone_mesh(file, metres(options.unit));
-  ClumpResult result;
-  result.file = file;
-  result.name = fs::path(file).stem().string();
+  const dem::TriangleMesh stone =
+      dem::read_stone_mesh(result.file, file_options(options), &result.mesh);
   result.nodes = stone.vertices.size();
   result.facets = stone.triangles.size();
   result.size = dem::stone_size(stone);
   result.volume = dem::mass_properties(stone).volume;
+  result.shape = dem::make_clump(stone, result.parameters, &result.report);
+}
+
+void make_clump_of_cloud(const Options& options, ClumpResult& result)
+{
+  const dem::PointCloud stone =
+      dem::read_point_cloud(result.file, file_options(options), &result.cloud);
+  const dem::CloudProperties properties = dem::cloud_properties(stone);
+  result.parameters.touching_radius = dem::TouchingRadius::nodes; // there are no facets
+  result.nodes = stone.points.size();
+  result.size = dem::stone_size(stone.points, properties.body, properties.area);
+  result.volume = properties.body.volume;
+  result.shape = dem::make_clump(stone, properties.body, result.parameters, &result.report);
+}
+
+ClumpResult make_clump(const std::string& file, const Options& options,
+                       const dem::ClumpParameters& parameters)
+{
+  ClumpResult result;
+  result.file = file;
+  result.name = fs::path(file).stem().string();
   result.density = options.density;
   result.parameters = parameters;
-  result.shape = dem::make_clump(stone, parameters, &result.report);
+  if (dem::is_point_cloud(file))
+    make_clump_of_cloud(options, result);
+  else
+    make_clump_of_mesh(options, result);
   result.shape.name = result.name;
   return result;
 }
@@ -171,7 +196,8 @@ void make_many(const std::vector<std::string>& files, const Options& options,
                 results.back(), options);
   }
   print_clump_table_means(results);
-  for (const ClumpResult& result : results) std::printf("%s", missed_targets(result).c_str());
+  for (const ClumpResult& result : results)
+    std::printf("%s%s", remarks(result).c_str(), missed_targets(result).c_str());
   std::printf("%zu clumps in '%s'\n", results.size(), options.output.c_str());
   write_report(options.report.empty() ? (fs::path(options.output) / "clumps.report.json").string()
                                       : options.report,
@@ -199,7 +225,10 @@ void add_clump_command(CLI::App& app)
   const auto add = [&](const char* name, auto& value, const char* text) {
     return command->add_option(name, value, text);
   };
-  add("stones", options->stones, "Stones: .stl, .ply or .obj files, or folders of them");
+  add("stones", options->stones,
+      "Stones: closed meshes (.stl, .ply, .obj), clouds of points with normals (.ply, .xyz), or "
+      "folders "
+      "of them");
   add("--d-min", options->d_min, "Nodes nearer to a sphere's surface get no sphere [m]");
   add("--r-min", options->r_min, "Smaller spheres are rejected [m]");
   add("--p-max", p.p_max, "Largest share of the nodes to be used [%]")->capture_default_str();
@@ -215,7 +244,11 @@ void add_clump_command(CLI::App& app)
   add("--mass-properties", options->scheme, "Centre and inertia: uniform, equal-mass or mesh")
       ->capture_default_str();
   add("--density", options->density, "Density of the rock, for masses [kg/m3]");
-  add("--unit", options->unit, "Length unit of the stones: m or mm")->capture_default_str();
+  add("--unit", options->unit, "Length unit of the stones: m, cm, mm or inch")
+      ->capture_default_str();
+  command->add_flag("--flip", options->flip, "The stones are inside out: turn them round");
+  command->add_flag("--accept-crossings", options->accept_crossings,
+                    "Take surfaces that cross themselves");
   add("-o,--output", options->output,
       "Clump file (default: the stone's name with .clump.json, here); folder for several stones");
   add("--format", options->formats,

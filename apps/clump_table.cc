@@ -43,8 +43,13 @@ void print_clump(const ClumpResult& result)
 {
   const dem::StoneSize& size = result.size;
   const dem::ClumpReport& report = result.report;
-  std::printf("Stone '%s': %zu nodes, %zu facets\n", result.file.c_str(), result.nodes,
-              result.facets);
+  if (result.facets > 0)
+    std::printf("Stone '%s': %zu nodes, %zu facets\n", result.file.c_str(), result.nodes,
+                result.facets);
+  else
+    std::printf("Stone '%s': cloud of %zu points, gap in its surface %.2f %%\n",
+                result.file.c_str(), result.nodes, 100 * result.cloud.closure);
+  std::printf("%s", remarks(result).c_str());
   std::printf("  size %.2f x %.2f x %.2f mm, sieve size %.2f mm, equivalent diameter %.2f mm\n",
               1e3 * size.longest, 1e3 * size.intermediate, 1e3 * size.shortest, 1e3 * size.sieve,
               1e3 * equivalent_diameter(result.volume));
@@ -73,6 +78,33 @@ void print_clump(const ClumpResult& result)
   std::printf("  * used; the mass is that of the stone under each of them\n");
   if (!report.axes_are_distinct)
     std::printf("  Two moments of the stone differ by less than 5 %%: its axes mean little.\n");
+}
+
+std::string remarks(const ClumpResult& result)
+{
+  std::string text;
+  const auto add = [&](bool holds, const std::string& sentence) {
+    if (holds) text += "  '" + result.name + "': " + sentence + ".\n";
+  };
+  const auto number = [](auto n) { return std::to_string(n); };
+  const dem::MeshDiagnosis& mesh = result.mesh;
+  add(mesh.degenerate_facets_dropped > 0, number(mesh.degenerate_facets_dropped) +
+                                              " facets with two corners at one place were dropped");
+  add(mesh.duplicate_facets_dropped > 0,
+      number(mesh.duplicate_facets_dropped) + " facets that were there twice were dropped");
+  add(mesh.facets_without_area > 0,
+      number(mesh.facets_without_area) + " facets without area were kept");
+  add(mesh.crossings.pairs > 0,
+      "accepted although " + number(mesh.crossings.pairs) + " pairs of facets cross each other");
+  add(!mesh.crossings.complete && result.facets > 0,
+      "the search for facets that cross each other was given up: too many lie close together");
+  const dem::PointCloudDiagnosis& cloud = result.cloud;
+  add(cloud.duplicates_dropped > 0,
+      number(cloud.duplicates_dropped) + " points that were there twice were dropped");
+  add(cloud.disagreeing_normals > 0,
+      number(cloud.disagreeing_normals) + " normals disagree with those of most neighbours");
+  add(mesh.flipped || cloud.flipped, "turned inside out, as asked");
+  return text;
 }
 
 void print_clump_table_head()
@@ -171,6 +203,23 @@ nlohmann::ordered_json clump_json(const ClumpResult& result)
       {"unit_inertia_m5",
        {result.shape.unit_inertia[0], result.shape.unit_inertia[1], result.shape.unit_inertia[2]}},
       {"axes_are_distinct", report.axes_are_distinct}};
+  const dem::MeshDiagnosis& mesh = result.mesh;
+  const dem::PointCloudDiagnosis& cloud = result.cloud;
+  if (result.facets > 0)
+    entry["diagnosis"] = {{"facets_read", mesh.facets_read},
+                          {"vertices_merged", mesh.vertices_merged},
+                          {"degenerate_facets_dropped", mesh.degenerate_facets_dropped},
+                          {"duplicate_facets_dropped", mesh.duplicate_facets_dropped},
+                          {"facets_without_area", mesh.facets_without_area},
+                          {"crossing_pairs", mesh.crossings.pairs},
+                          {"crossings_complete", mesh.crossings.complete},
+                          {"flipped", mesh.flipped}};
+  else
+    entry["diagnosis"] = {{"points_read", cloud.points_read},
+                          {"duplicates_dropped", cloud.duplicates_dropped},
+                          {"disagreeing_normals", cloud.disagreeing_normals},
+                          {"closure", cloud.closure},
+                          {"flipped", cloud.flipped}};
   if (result.density > 0) {
     entry["density_kg_per_m3"] = result.density;
     entry["mass_kg"] = result.density * result.volume;

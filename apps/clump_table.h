@@ -2,6 +2,8 @@
 #pragma once
 
 #include "dem/clump_generator.h"
+#include "dem/mesh_diagnosis.h"
+#include "dem/point_cloud.h"
 #include "dem/stone_size.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,7 +15,9 @@ namespace interlock::apps
 // One stone and the clump made of it.
 struct ClumpResult {
   std::string file, name;
-  std::size_t nodes = 0, facets = 0;
+  std::size_t nodes = 0, facets = 0; // a cloud of points has no facet
+  dem::MeshDiagnosis mesh;           // of a mesh
+  dem::PointCloudDiagnosis cloud;    // of a cloud of points
   dem::StoneSize size;
   double volume = 0;  // of the stone [m3]
   double density = 0; // of the rock; 0: not given [kg/m3]
@@ -24,6 +28,9 @@ struct ClumpResult {
 
 // One stone on a page.
 void print_clump(const ClumpResult& result);
+
+// What was mended or left as it is in the file, one sentence each; empty for a sound file.
+std::string remarks(const ClumpResult& result);
 
 // Many stones, one a row: head, rows, means.
 void print_clump_table_head();

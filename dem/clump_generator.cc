@@ -151,6 +151,16 @@ ClumpShape make_clump(const TriangleMesh& stone, const ClumpParameters& paramete
   return make_clump(surface, parameters, report);
 }
 
+ClumpShape make_clump(const PointCloud& stone, const MassProperties& body,
+                      const ClumpParameters& parameters, ClumpReport* report)
+{
+  check(parameters);
+  if (parameters.touching_radius != TouchingRadius::nodes)
+    throw InputError("A cloud of points has no facets: its touching radius must be 'nodes'.");
+  return make_clump(Surface{stone.points, stone.normals, ball_among_nodes(stone.points), body},
+                    parameters, report);
+}
+
 MassScheme mass_scheme(const std::string& name)
 {
   if (name == "uniform") return MassScheme::uniform;

@@ -4,6 +4,7 @@
 
 #include "dem/clump_report.h"
 #include "dem/clump_shape.h"
+#include "dem/point_cloud.h"
 #include "dem/triangle_mesh.h"
 
 #include <cstdint>
@@ -36,6 +37,11 @@ struct ClumpParameters {
 // large) or a parameter is out of range.
 ClumpShape make_clump(const TriangleMesh& stone, const ClumpParameters& parameters,
                       ClumpReport* report = nullptr);
+
+// The same of a cloud of points that encloses `body` (cloud_cells.h). Balls grow until a point
+// touches them: the touching radius of `parameters` must be `nodes`, for a cloud has no facets.
+ClumpShape make_clump(const PointCloud& stone, const MassProperties& body,
+                      const ClumpParameters& parameters, ClumpReport* report = nullptr);
 
 // "uniform", "equal-mass" or "mesh". Throws InputError for other names.
 MassScheme mass_scheme(const std::string& name);

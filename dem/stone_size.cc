@@ -1,7 +1,5 @@
 #include "dem/stone_size.h"
 
-#include "dem/mass_properties.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,19 +45,22 @@ double sieve_size(const std::vector<Vector3>& points, const Vector3& direction)
 
 StoneSize stone_size(const TriangleMesh& mesh)
 {
-  const MassProperties mass = mass_properties(mesh);
-  const Matrix3 axes = principal_frame(mass).axes;
+  return stone_size(mesh.vertices, mass_properties(mesh), surface_area(mesh));
+}
+
+StoneSize stone_size(const std::vector<Vector3>& points, const MassProperties& body, double area)
+{
+  const Matrix3 axes = principal_frame(body).axes;
   std::array<double, 3> extent;
-  for (int k = 0; k < 3; ++k) extent[k] = extent_along(mesh.vertices, axes.col(k));
+  for (int k = 0; k < 3; ++k) extent[k] = extent_along(points, axes.col(k));
   // The smallest moment belongs to the longest axis but for odd forms, which sorting takes care of.
   const int longest = std::max_element(extent.begin(), extent.end()) - extent.begin();
 
   StoneSize size;
-  size.sieve = sieve_size(mesh.vertices, axes.col(longest));
+  size.sieve = sieve_size(points, axes.col(longest));
   std::sort(extent.begin(), extent.end(), std::greater<>());
   size.longest = extent[0], size.intermediate = extent[1], size.shortest = extent[2];
-  const double area = surface_area(mesh);
-  if (area > 0) size.sphericity = std::cbrt(36 * M_PI * mass.volume * mass.volume) / area;
+  if (area > 0) size.sphericity = std::cbrt(36 * M_PI * body.volume * body.volume) / area;
   return size;
 }
 } // namespace interlock::dem

@@ -1,6 +1,7 @@
 // How large a stone is and which form it has, as engineers measure it.
 #pragma once
 
+#include "dem/mass_properties.h"
 #include "dem/triangle_mesh.h"
 
 namespace interlock::dem
@@ -16,6 +17,9 @@ struct StoneSize {
   double elongation() const { return intermediate / longest; }
 };
 StoneSize stone_size(const TriangleMesh& mesh);
+
+// The same of points on the surface of `body`, whose area is `area` [m2].
+StoneSize stone_size(const std::vector<Vector3>& points, const MassProperties& body, double area);
 
 // Side of the smallest square opening that lets the stone through end-on, along `direction` (unit
 // vector): the smallest square around its shadow, over all angles of the square to a tenth of a
