@@ -3,10 +3,10 @@
 #include "apps/clump_table.h"
 #include "apps/octahedron_command.h"
 #include "coupling/atomic_file.h"
-#include "dem/cloud_cells.h"
-#include "dem/clump_export.h"
+#include "dem/export/clump_export.h"
 #include "dem/input_error.h"
 #include "dem/mass_properties.h"
+#include "dem/scans/cloud_cells.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 // How good clumps are, for people (on the terminal) and for programs (JSON).
 #pragma once
 
-#include "dem/clump_generator.h"
-#include "dem/mesh_diagnosis.h"
-#include "dem/point_cloud.h"
-#include "dem/stone_size.h"
+#include "dem/generator/clump_generator.h"
+#include "dem/scans/mesh_diagnosis.h"
+#include "dem/scans/point_cloud.h"
+#include "dem/stones/stone_size.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 #include "apps/octahedron_command.h"
 
+#include "dem/generator/octahedron_tables.h"
 #include "dem/input_error.h"
-#include "dem/octahedron_tables.h"
 
 #include <cmath>
 #include <cstdio>

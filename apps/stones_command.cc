@@ -1,8 +1,8 @@
 #include "apps/stones_command.h"
 
 #include "dem/input_error.h"
-#include "dem/stone_form.h"
-#include "dem/synthetic_stone.h"
+#include "dem/stones/stone_form.h"
+#include "dem/stones/synthetic_stone.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "coupling/stone_library.h"
 
-#include "dem/clump_generator.h"
+#include "dem/generator/clump_generator.h"
 #include "dem/input_error.h"
-#include "dem/synthetic_stone.h"
+#include "dem/stones/synthetic_stone.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -27,6 +27,24 @@ Overlap wall_overlap(const Vector3& x, double r, const Wall& wall)
   const double depth = r - distance;
   return {depth, d / distance, nearest - 0.5 * depth * d / distance};
 }
+
+double largest_stiffness(const ContactProperties& pair)
+{
+  return std::max(pair.normal_stiffness, pair.tangential_stiffness);
+}
+
+// The most that a unit impulse at `arm` from the centre of mass can move the body's own material
+// there, over all directions: 1/m + the largest eigenvalue of [r]x I^-1 [r]x^T; principal axes
+// [1/kg].
+double largest_mobility(const Vector3& arm, double mass, const Vector3& inertia)
+{
+  Matrix3 cross;
+  cross << 0, -arm[2], arm[1], arm[2], 0, -arm[0], -arm[1], arm[0], 0;
+  const Matrix3 turning = cross * inertia.cwiseInverse().asDiagonal() * cross.transpose();
+  Eigen::SelfAdjointEigenSolver<Matrix3> solver;
+  solver.computeDirect(turning, Eigen::EigenvaluesOnly);
+  return 1 / mass + solver.eigenvalues()[2];
+}
 } // namespace
 
 Engine::Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on_stone,
@@ -264,10 +282,8 @@ StableStep Engine::stable_step(const RibContacts* ribs) const
   std::vector<double> rate(clumps_.size(), 0.); // bound of omega^2 [1/s2]
   std::vector<int> contacts(clumps_.size(), 0);
   auto add = [&](int i, const Vector3& point, const ContactProperties& pair) {
-    const double k = pair.normal_stiffness, k_t = pair.tangential_stiffness;
-    const double arm_squared = (point - clumps_.position[i]).squaredNorm();
-    rate[i] +=
-        std::max(k, k_t) / clumps_.mass[i] + k_t * arm_squared / clumps_.inertia[i].minCoeff();
+    const Vector3 arm = clumps_.rotation[i].transpose() * (point - clumps_.position[i]);
+    rate[i] += largest_stiffness(pair) * largest_mobility(arm, clumps_.mass[i], clumps_.inertia[i]);
     ++contacts[i];
   };
   for (const SphereContact& c : lists_.sphere_contacts())
@@ -295,13 +311,20 @@ StableStep Engine::expected_stable_step(const std::vector<double>& densities, in
 {
   StableStep limit;
   double largest = 0;
-  const double k = stone_on_stone_.normal_stiffness, k_t = stone_on_stone_.tangential_stiffness;
   for (std::size_t s = 0; s < clumps_.shapes().size(); ++s) {
     const ClumpShape& shape = clumps_.shapes()[s];
-    const double mass = densities[s] * shape.volume, arm = shape.bounding_radius();
-    const double rate =
-        n_contacts * (std::max(k, k_t) / mass +
-                      k_t * arm * arm / (densities[s] * shape.unit_inertia.minCoeff()));
+    const double mass = densities[s] * shape.volume;
+    double mobility = 0;
+    for (const Sphere& sphere : shape.spheres) {
+      // Where a sphere is farthest from the centre of mass, and its poles along the axes.
+      const auto consider = [&](const Vector3& direction) {
+        mobility = std::max(mobility, largest_mobility(sphere.centre + sphere.radius * direction,
+                                                       mass, densities[s] * shape.unit_inertia));
+      };
+      consider(sphere.centre.stableNormalized());
+      for (int k = 0; k < 3; ++k) consider(Vector3::Unit(k)), consider(-Vector3::Unit(k));
+    }
+    const double rate = n_contacts * largest_stiffness(stone_on_stone_) * mobility;
     if (rate > largest) {
       largest = rate;
       limit = {2 / std::sqrt(2 * rate), static_cast<std::int64_t>(s), mass, n_contacts};

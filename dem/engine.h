@@ -80,13 +80,14 @@ public:
   // Of all clumps with the half-step velocities: cheap, for settling criteria [J].
   double kinetic_energy() const;
 
-  // Bound 2/omega on the stable step from the present contacts: Gershgorin's bound of the stiffness
-  // of a clump, the sum over its contacts of k/mass + k_t arm^2/(smallest principal inertia), k the
-  // larger of k_n and k_t, doubled because the partner moves too. Dashpots are left to the safety
-  // factor. `ribs` adds the contacts with ribs.
+  // Bound 2/omega on the stable step from the present contacts: of the clumps, the largest sum over
+  // their contacts of k times the largest mobility at the contact, 1/m + the largest eigenvalue of
+  // [r]x I^-1 [r]x^T (r: arm, k: the larger of k_n and k_t), doubled because the partner moves too.
+  // A norm of a sum is at most the sum of the norms, so this is on the safe side. Dashpots are left
+  // to the safety factor. `ribs` adds the contacts with ribs.
   StableStep stable_step(const RibContacts* ribs = nullptr) const;
-  // The same bound before there are contacts, for the lightest shape, if it had `n_contacts`
-  // contacts at its bounding radius.
+  // The same before there are contacts, for the shape that would set it if it had `n_contacts`
+  // contacts where its surface is most mobile.
   StableStep expected_stable_step(const std::vector<double>& densities, int n_contacts) const;
 
   std::vector<SphereContact>& sphere_contacts() { return lists_.sphere_contacts(); }

@@ -1,6 +1,6 @@
 #include "dem/triangle_mesh.h"
 
-#include "dem/connected_parts.h"
+#include "dem/scans/connected_parts.h"
 
 #include <algorithm>
 #include <cmath>

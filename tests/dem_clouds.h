@@ -1,8 +1,8 @@
 // Clouds of points with normals on bodies with closed forms.
 #pragma once
 
-#include "dem/point_cloud.h"
 #include "dem/random_stream.h"
+#include "dem/scans/point_cloud.h"
 
 #include <cmath>
 #include <sstream>

@@ -1,6 +1,6 @@
 // A cloud from which no body can be made is refused in one sentence with its line or its numbers.
 // Fails when such a cloud passes, in particular a half of one.
-#include "dem/point_cloud.h"
+#include "dem/scans/point_cloud.h"
 #include "tests/dem_clouds.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"

@@ -1,6 +1,6 @@
 // A file whose content is not what its extension says, or that stops half-way, is refused in one
 // sentence that says what and where. Fails when such a file passes or its place is not named.
-#include "dem/stone_file.h"
+#include "dem/scans/stone_file.h"
 #include "tests/dem_solids.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"

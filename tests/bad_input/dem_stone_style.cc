@@ -1,7 +1,7 @@
 // Forms of stones that nobody can make: each is answered with one sentence that names the entry,
 // the value and the allowed range. Fails when a bad entry passes or the sentence lacks one of them.
 #include "dem/input_error.h"
-#include "dem/synthetic_stone.h"
+#include "dem/stones/synthetic_stone.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A surface that is none, or not that of one stone, is refused with the numbers that tell where to
 // look and the option that helps. Fails when a fault passes, or when the sentence lacks its facts.
-#include "dem/stone_file.h"
+#include "dem/scans/stone_file.h"
 #include "tests/dem_solids.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dem/input_error.h"
-#include "dem/point_cloud.h"
+#include "dem/scans/point_cloud.h"
 
 #include <filesystem>
 #include <fstream>

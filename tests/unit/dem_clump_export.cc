@@ -1,10 +1,10 @@
 // Exported clumps hold the numbers of the shape, read back from the text with nothing but the
 // format's own rules. Fails when a value is rounded, misplaced or in another unit, when a file of a
 // format is missing, or when a temporary file stays behind.
-#include "dem/clump_export.h"
+#include "dem/export/clump_export.h"
+#include "dem/export/member_volumes.h"
 #include "dem/input_error.h"
 #include "dem/mass_properties.h"
-#include "dem/member_volumes.h"
 #include "tests/temporary_folder.h"
 
 #include <sstream>

@@ -1,9 +1,9 @@
 // The rules of the clump generator and the mass schemes. Fails when a sphere leaves the solid by
 // more than the node spacing allows, when d_min, r_min, p_max or the seed do not do what they say,
 // when the body frame is not that of the scheme, or when the report compares the wrong things.
-#include "dem/clump_generator.h"
+#include "dem/generator/clump_generator.h"
 #include "dem/input_error.h"
-#include "dem/synthetic_stone.h"
+#include "dem/stones/synthetic_stone.h"
 #include "tests/dem_solids.h"
 
 #include <gtest/gtest.h>

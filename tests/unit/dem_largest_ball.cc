@@ -2,8 +2,8 @@
 // solids where it is known; inside the surface, against solids where it is known and against all
 // facets one by one. Fails when the search stops early, skips what limits the ball, takes something
 // behind the tangent plane, or lets a ball stick out of a facet.
-#include "dem/largest_ball.h"
-#include "dem/synthetic_stone.h"
+#include "dem/generator/largest_ball.h"
+#include "dem/stones/synthetic_stone.h"
 #include "tests/dem_solids.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The shares of the member spheres sum to the volume, centre and inertia of the stone. Fails when a
 // sum is off by more than rounding where positive shares exist, when a share is not positive, or
 // when clumps of few spheres get no volume.
+#include "dem/export/member_volumes.h"
 #include "dem/mass_properties.h"
-#include "dem/member_volumes.h"
 
 #include <gtest/gtest.h>
 

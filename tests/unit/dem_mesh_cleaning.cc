@@ -1,7 +1,7 @@
 // What is mended in a mesh. Fails when vertices at one place stay apart or different ones are
 // joined, when a facet is dropped that is needed, or when the counts are wrong.
-#include "dem/mesh_cleaning.h"
-#include "dem/mesh_diagnosis.h"
+#include "dem/scans/mesh_cleaning.h"
+#include "dem/scans/mesh_diagnosis.h"
 #include "tests/dem_solids.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Body of a cloud against closed forms, and its files. Fails when the cells of the points do not
 // add up to the surface, when separators or comments of a text file are taken for data, or when a
 // binary PLY cloud comes out otherwise than a text one.
-#include "dem/cloud_cells.h"
+#include "dem/scans/cloud_cells.h"
 #include "tests/dem_clouds.h"
 #include "tests/temporary_folder.h"
 

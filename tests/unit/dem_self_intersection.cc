@@ -1,6 +1,7 @@
 // Facets that cut through each other. Fails when a pair is missed or found twice, when neighbours
 // or touching facets count, or when a crossing at a shared vertex goes unseen.
-#include "dem/self_intersection.h"
+#include "dem/random_stream.h"
+#include "dem/scans/self_intersection.h"
 #include "tests/dem_solids.h"
 
 #include <gtest/gtest.h>

@@ -1,14 +1,14 @@
 // Measures of form against closed forms of simple solids. Fails when an axis, the sieve size, the
 // sphericity, the convexity, the angularity or the relief of a rough surface is not what it is
 // defined to be.
-#include "dem/stone_form.h"
+#include "dem/stones/stone_form.h"
 
-#include "dem/angularity.h"
-#include "dem/convex_hull.h"
-#include "dem/geodesic_sphere.h"
 #include "dem/input_error.h"
 #include "dem/mass_properties.h"
-#include "dem/roughness.h"
+#include "dem/stones/angularity.h"
+#include "dem/stones/convex_hull.h"
+#include "dem/stones/geodesic_sphere.h"
+#include "dem/stones/roughness.h"
 #include "tests/dem_solids.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Nearest points on facets against all facets one by one. Fails when the tree or its single
 // precision misses a facet, or a filter lets the wrong ones pass.
+#include "dem/generator/surface_tree.h"
 #include "dem/random_stream.h"
-#include "dem/surface_tree.h"
-#include "dem/synthetic_stone.h"
+#include "dem/stones/synthetic_stone.h"
 #include "tests/dem_solids.h"
 
 #include <gtest/gtest.h>

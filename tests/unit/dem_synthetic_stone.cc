@@ -2,12 +2,12 @@
 // asks for. Fails when a stone is open or folded, when nodes are uneven, when sizes do not follow
 // Table 5 by mass, when stones are convex or an entry of the style does not do what it says, or
 // when a seed does not give the same stones again.
-#include "dem/synthetic_stone.h"
+#include "dem/stones/synthetic_stone.h"
 
-#include "dem/ballast_sizes.h"
 #include "dem/input_error.h"
 #include "dem/mass_properties.h"
-#include "dem/stone_form.h"
+#include "dem/stones/ballast_sizes.h"
+#include "dem/stones/stone_form.h"
 
 #include <gtest/gtest.h>
 

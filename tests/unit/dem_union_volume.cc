@@ -1,7 +1,7 @@
 // Volume of unions of spheres against closed forms, with the error that is stated. Fails when
 // overlaps count twice, the order of the spheres matters, or the stated error is too small.
+#include "dem/generator/union_volume.h"
 #include "dem/random_stream.h"
-#include "dem/union_volume.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 // cannot be expected: the bounds are 25 % a cell, 10 % where p_max limits. Mean of six meshes and
 // node orders. Fails when the order of the tests (d_min, grow, r_min), what p_max counts, the sign
 // of a distance or the meaning of the largest ball is changed.
+#include "dem/generator/octahedron_tables.h"
 #include "dem/mass_properties.h"
-#include "dem/octahedron_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,48 @@
+#include "dem/export/clump_export_formats.h"
+
+namespace interlock::dem
+{
+namespace
+{
+// One section of the molecule file: "ID value" for every sphere.
+template <typename Value>
+std::string section(const std::string& title, const ClumpExport& clump, const Value& value)
+{
+  std::string text = "\n" + title + "\n\n";
+  for (std::size_t i = 0; i < clump.shape.spheres.size(); ++i)
+    text += std::to_string(i + 1) + " " + value(i) + "\n";
+  return text;
+}
+} // namespace
+
+ExportedFiles lammps_files(const ClumpExport& clump)
+{
+  // Without `reinit no` the second run computes the bodies anew from their spheres. Without
+  // `disable` and `gravity` the weight acts at the spheres, with both at the centre of the body,
+  // with `gravity` alone twice.
+  const std::string id = identifier(clump.shape.name);
+  std::string text = comment_head(
+      clump, "#",
+      {"LAMMPS molecule file, units si, atom_style sphere:",
+       "  fix ids all property/atom mol ghost yes", "  molecule " + id + " " + clump.file_name,
+       "  fix g all gravity 9.81 vector 0 0 -1 disable",
+       "  fix stones all rigid/small molecule mol " + id + " reinit no gravity g",
+       "then insert with fix deposit or fix pour: ... mol " + id + " rigid stones.",
+       "The masses of the spheres sum to the stone's mass, centre and inertia as far as positive",
+       "masses can, so `create_atoms ... mol " + id +
+           "` with fix rigid/small gives the stone too."});
+  const Vector3 inertia = clump.inertia();
+  const std::vector<double> masses = clump.member_masses();
+  const std::vector<Sphere>& spheres = clump.shape.spheres;
+  text += "\n" + std::to_string(spheres.size()) + " atoms\n" + digits(clump.mass()) + " mass\n" +
+          "0 0 0 com\n" + digits({inertia[0], inertia[1], inertia[2], 0, 0, 0}, " ") + " inertia\n";
+  text += section("Coords", clump, [&](std::size_t i) {
+    const Vector3& c = spheres[i].centre;
+    return digits({c[0], c[1], c[2]}, " ");
+  });
+  text += section("Types", clump, [](std::size_t) { return std::string("1"); });
+  text += section("Diameters", clump, [&](std::size_t i) { return digits(2 * spheres[i].radius); });
+  text += section("Masses", clump, [&](std::size_t i) { return digits(masses[i]); });
+  return {{"", text}};
+}
+} // namespace interlock::dem

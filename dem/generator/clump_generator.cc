@@ -1,0 +1,179 @@
+#include "dem/generator/clump_generator.h"
+
+#include "dem/generator/largest_ball.h"
+#include "dem/generator/stop_rules.h"
+#include "dem/input_error.h"
+#include "dem/random_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <tuple>
+
+namespace interlock::dem
+{
+namespace
+{
+void check(const ClumpParameters& parameters)
+{
+  const auto require = [](bool good, const char* name, double value, const char* range) {
+    if (good) return;
+    std::ostringstream text;
+    text << "The clump parameter " << name << " is " << value << ", but must be " << range << ".";
+    throw InputError(text.str());
+  };
+  const auto is_length = [](double x) { return x >= 0 && std::isfinite(x); };
+  require(is_length(parameters.d_min), "d_min", parameters.d_min, "a length of 0 m or more");
+  require(is_length(parameters.r_min), "r_min", parameters.r_min, "a length of 0 m or more");
+  require(parameters.p_max > 0 && parameters.p_max <= 100, "p_max", parameters.p_max,
+          "above 0 % and at most 100 %");
+  require(parameters.max_spheres >= 0, "max_spheres", parameters.max_spheres,
+          "0 (no limit) or more");
+  const auto is_share = [](double x) { return x >= 0 && x < 1; };
+  require(is_share(parameters.target_volume_error), "target_volume_error",
+          parameters.target_volume_error, "0 (no target) or a share below 1");
+  require(is_share(parameters.target_inertia_error), "target_inertia_error",
+          parameters.target_inertia_error, "0 (no target) or a share below 1");
+  if (parameters.target_inertia_error > 0 && parameters.mass_scheme == MassScheme::mesh)
+    throw InputError("A target for the error of the inertia needs the mass properties 'uniform' or "
+                     "'equal-mass': those of 'mesh' have no error.");
+}
+
+// A closed surface as the generator sees it.
+struct Surface {
+  const std::vector<Vector3>& nodes;
+  std::vector<Vector3> outward; // unit normals of the nodes
+  // The largest ball at a node along its inward normal; radius 0 or infinite: there is none.
+  std::function<Sphere(int node, const Vector3& inward)> ball;
+  MassProperties mass;
+};
+
+// The spheres in the frame of the surface. Counts nodes into `report`.
+std::vector<Sphere> grow_spheres(const Surface& surface, const ClumpParameters& parameters,
+                                 ClumpReport& report)
+{
+  const int nodes = static_cast<int>(surface.nodes.size());
+  Eigen::AlignedBox3d box;
+  for (const Vector3& node : surface.nodes) box.extend(node);
+  // A sphere touches the node on its far side to within round-off, which must not count as nearer
+  // than d_min = 0.
+  const double threshold = parameters.d_min - 1e-9 * box.sizes().maxCoeff();
+  const double allowed = parameters.p_max / 100 * nodes;
+  StopRules rules(parameters, surface.mass, box);
+
+  std::vector<Sphere> spheres;
+  report.nodes = nodes;
+  for (const int node : RandomStream(parameters.seed).permutation(nodes)) {
+    if (report.nodes_used >= allowed) {
+      if (parameters.p_max < 100) report.stop = Stop::p_max;
+      break;
+    }
+    const Vector3& p = surface.nodes[node];
+    if (std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& s) {
+          const double reach = std::max(0., s.radius + threshold);
+          return (p - s.centre).squaredNorm() < reach * reach;
+        }))
+      continue;
+    ++report.nodes_used;
+    const Sphere ball = surface.ball(node, -surface.outward[node]);
+    if (!(ball.radius > 0 && std::isfinite(ball.radius) && ball.radius >= parameters.r_min)) {
+      ++report.rejected;
+      continue;
+    }
+    spheres.push_back(ball);
+    if (const auto stop = rules.after(spheres)) {
+      report.stop = *stop;
+      break;
+    }
+  }
+  return spheres;
+}
+
+ClumpShape in_body_frame(const std::vector<Sphere>& spheres, const MassProperties& mass)
+{
+  const PrincipalFrame frame = principal_frame(mass);
+  ClumpShape shape;
+  shape.volume = mass.volume;
+  shape.unit_inertia = frame.moments;
+  for (const Sphere& s : spheres)
+    shape.spheres.push_back({frame.axes.transpose() * (s.centre - mass.centre), s.radius});
+  std::sort(shape.spheres.begin(), shape.spheres.end(), [](const Sphere& a, const Sphere& b) {
+    const auto key = [](const Sphere& s) {
+      return std::make_tuple(-s.radius, s.centre[0], s.centre[1], s.centre[2]);
+    };
+    return key(a) < key(b);
+  });
+  return shape;
+}
+
+ClumpShape make_clump(const Surface& surface, const ClumpParameters& parameters,
+                      ClumpReport* report)
+{
+  ClumpReport counts;
+  const std::vector<Sphere> spheres = grow_spheres(surface, parameters, counts);
+  if (spheres.empty()) {
+    std::ostringstream text;
+    text << "No sphere is left in the clump: all " << counts.rejected
+         << " balls that were grown are smaller than r_min = " << parameters.r_min
+         << " m; choose a smaller r_min.";
+    throw InputError(text.str());
+  }
+  if (report) {
+    *report = counts;
+    measure_errors(surface.nodes, surface.mass, spheres, *report);
+  }
+  return in_body_frame(spheres,
+                       clump_mass_properties(surface.mass, spheres, parameters.mass_scheme));
+}
+
+// The ball that touches the node p itself, among `nodes`.
+std::function<Sphere(int, const Vector3&)> ball_among_nodes(const std::vector<Vector3>& nodes)
+{
+  return
+      [&nodes, balls = std::make_shared<BallAmongNodes>(nodes)](int node, const Vector3& inward) {
+        const double radius = balls->radius(node, inward);
+        return Sphere{nodes[node] + radius * inward, radius};
+      };
+}
+} // namespace
+
+ClumpShape make_clump(const TriangleMesh& stone, const ClumpParameters& parameters,
+                      ClumpReport* report)
+{
+  check(parameters);
+  Surface surface{stone.vertices, node_normals(stone), {}, mass_properties(stone)};
+  if (parameters.touching_radius == TouchingRadius::nodes)
+    surface.ball = ball_among_nodes(stone.vertices);
+  else
+    surface.ball = [balls = std::make_shared<BallInsideSurface>(stone)](
+                       int node, const Vector3& inward) { return balls->at(node, inward); };
+  return make_clump(surface, parameters, report);
+}
+
+ClumpShape make_clump(const PointCloud& stone, const MassProperties& body,
+                      const ClumpParameters& parameters, ClumpReport* report)
+{
+  check(parameters);
+  if (parameters.touching_radius != TouchingRadius::nodes)
+    throw InputError("A cloud of points has no facets: its touching radius must be 'nodes'.");
+  return make_clump(Surface{stone.points, stone.normals, ball_among_nodes(stone.points), body},
+                    parameters, report);
+}
+
+MassScheme mass_scheme(const std::string& name)
+{
+  if (name == "uniform") return MassScheme::uniform;
+  if (name == "equal-mass") return MassScheme::equal_mass;
+  if (name == "mesh") return MassScheme::mesh;
+  throw InputError("The mass properties of clumps are '" + name +
+                   "', but must be one of 'uniform', 'equal-mass' and 'mesh'.");
+}
+
+TouchingRadius touching_radius(const std::string& name)
+{
+  if (name == "surface") return TouchingRadius::surface;
+  if (name == "nodes") return TouchingRadius::nodes;
+  throw InputError("The touching radius is '" + name + "', but must be 'surface' or 'nodes'.");
+}
+} // namespace interlock::dem

@@ -1,0 +1,32 @@
+// The piece of the surface that each point of a cloud stands for.
+#pragma once
+
+#include "dem/scans/point_cloud.h"
+
+namespace interlock::dem
+{
+// The body that a cloud encloses, from the divergence theorem: volume = 1/3 sum a x.n and likewise
+// the first and second moments, with a the area of the point's cell.
+//
+// The cell is a Voronoi cell in the tangent plane of the point x, cut by the 24 nearest neighbours
+// x' that do not look the other way (the back of a thin stone). With t the part of x' - x in the
+// plane,
+// * a neighbour on the same face is rolled into the plane at its distance, so that the cell ends
+//   half-way: (y - x).t <= |x' - x| |t| / 2. This takes the first-order effect out of both
+//   curvature and noise; the plain projection |t|^2 / 2 makes cells too small;
+// * beyond a sharp edge the half-space of points nearer to x than to x' cuts the plane,
+//   (y - x).t <= |x' - x|^2 / 2, so that on average cells end at the edge.
+//
+// Expect, for volume and moments: on an ellipsoid of axes 4:3:2 with even points 0.5 % at 500
+// points, 0.2 % at 1000; with random points (the worst spread) 2 % at 500, 1 % at 1000. On angular
+// stones with random points 6 % at 500, 2 % at 1000, 1.5 % at 2000, 0.3 % at 5000; noise of a tenth
+// of the spacing and nine degrees in the normals adds 1.5 %. Where points are missing the sums lack
+// that piece of the surface, and the closure says how much of it.
+struct CloudProperties {
+  MassProperties body;         // of unit density; volume is negative if normals point inwards
+  double area = 0;             // of the surface [m2]
+  double closure = 0;          // |sum a n| / sum a [-]
+  int disagreeing_normals = 0; // points whose normal is against most of their neighbours'
+};
+CloudProperties cloud_properties(const PointCloud& cloud);
+} // namespace interlock::dem

@@ -1,0 +1,88 @@
+#include "dem/scans/obj_file.h"
+
+#include "dem/scans/facet_polygon.h"
+#include "dem/scans/text_scanner.h"
+
+#include <algorithm>
+
+namespace interlock::dem
+{
+namespace
+{
+// Keywords that say nothing about the surface. Free-form curves and surfaces are not among them: a
+// file that has some would lose a part of its body.
+bool is_skipped(std::string_view keyword)
+{
+  static const std::string_view known[] = {
+      "vt",     "vn",       "vp",       "g",          "o",        "s",      "usemtl",
+      "mtllib", "l",        "p",        "mg",         "lod",      "usemap", "maplib",
+      "bevel",  "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+  return keyword.empty() || keyword[0] == '#' ||
+         std::find(std::begin(known), std::end(known), keyword) != std::end(known);
+}
+
+class Reader
+{
+public:
+  explicit Reader(const InputFile& file) : file_(file), scanner_(file, file.bytes()) {}
+
+  TriangleMesh read()
+  {
+    do {
+      const std::string_view keyword = scanner_.word();
+      if (keyword == "v")
+        read_vertex();
+      else if (keyword == "f")
+        read_facet();
+      else if (!is_skipped(keyword))
+        file_.refuse("cannot be read as a mesh: ", quoted(keyword), " starts line ",
+                     scanner_.line(), ", where OBJ has a keyword such as v or f.");
+    } while (scanner_.next_line());
+    return std::move(mesh_);
+  }
+
+private:
+  // The next word of this line or, behind a backslash, of the line that continues it.
+  std::string_view word()
+  {
+    std::string_view result = scanner_.word();
+    while (result == "\\" && scanner_.next_line()) result = scanner_.word();
+    return result;
+  }
+
+  void read_vertex()
+  {
+    Vector3 x;
+    for (int k = 0; k < 3; ++k) x[k] = scanner_.number(word());
+    mesh_.vertices.push_back(x); // a weight or a colour may follow
+  }
+
+  // A corner is v, v/vt, v//vn or v/vt/vn; from 1, or backwards from the last vertex with -1.
+  void read_facet()
+  {
+    corners_.clear();
+    const long long vertices = static_cast<long long>(mesh_.vertices.size());
+    for (std::string_view corner = word(); !corner.empty(); corner = word()) {
+      const long long number = scanner_.integer(corner.substr(0, corner.find('/')));
+      if (number == 0 || number > vertices || number < -vertices)
+        file_.refuse("has a facet with the vertex ", number, " in line ", scanner_.line(), ", but ",
+                     vertices, " vertices stand above it.");
+      corners_.push_back(static_cast<int>(number > 0 ? number - 1 : vertices + number));
+    }
+    const std::string fault = append_polygon(corners_, mesh_);
+    if (!fault.empty())
+      file_.refuse("has ", fault, " in line ", scanner_.line(), ": save the mesh with triangles.");
+  }
+
+  const InputFile& file_;
+  TextScanner scanner_;
+  std::vector<int> corners_;
+  TriangleMesh mesh_;
+};
+} // namespace
+
+TriangleMesh read_obj(const InputFile& file)
+{
+  return Reader(file).read();
+}
+} // namespace interlock::dem

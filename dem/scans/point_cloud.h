@@ -1,0 +1,40 @@
+// Scans without facets: points on the surface of a stone with their normals.
+#pragma once
+
+#include "dem/mass_properties.h"
+#include "dem/scans/stone_file.h"
+
+namespace interlock::dem
+{
+// normals[i] is the unit outward normal at points[i] [m]; any frame.
+struct PointCloud {
+  std::vector<Vector3> points, normals;
+};
+
+struct PointCloudDiagnosis {
+  int points_read = 0;
+  int duplicates_dropped = 0;  // points at the place of an earlier one
+  bool flipped = false;        // normals turned round, as asked
+  int disagreeing_normals = 0; // against those of most of the neighbours; kept
+  double closure = 0;          // |sum a n| / sum a over the points [-]; 0 for a closed surface
+  MassProperties body;         // of unit density, see cloud_properties
+};
+
+// Reads a cloud: .xyz is text with the columns x y z nx ny nz, separated by blanks, commas or
+// semicolons, with comments behind # or //; .ply has x, y, z, nx, ny, nz and no face. Normals may
+// have any length. Throws InputError with one sentence that names the file and the line (text) or
+// point: the faults of a file as in read_stone_mesh; no normals; a normal of length zero; fewer
+// than fewest_points different points; normals that point inwards, or that disagree with their
+// neighbours at more than 1 % of the points; a closure above largest_closure. options.flip turns
+// the normals, accept_crossings has no meaning. `diagnosis` gets what was found, also when it
+// throws.
+PointCloud read_point_cloud(const std::string& path, const StoneFileOptions& options,
+                            PointCloudDiagnosis* diagnosis = nullptr);
+PointCloud read_point_cloud(const std::string& path, double length_unit);
+constexpr int fewest_points = 100;
+constexpr double largest_closure = 0.05; // [-]
+
+// Whether read_point_cloud is the reader for this file: .xyz, or a .ply without faces. False for
+// what cannot be read at all, so that read_stone_mesh gets to say why.
+bool is_point_cloud(const std::string& path);
+} // namespace interlock::dem
