@@ -1,5 +1,7 @@
 #include "coupling/staggered_step.h"
 
+#include <algorithm>
+
 namespace interlock::coupling
 {
 StaggeredStep::StaggeredStep(dem::Engine& engine, const dem::ContactProperties& stone_on_rib)
@@ -19,6 +21,8 @@ void StaggeredStep::remove_clumps(const std::vector<bool>& remove)
 {
   // Their springs at ribs go with them.
   geogrid_inserted_ -= rib_contacts_.elastic_energy_of(remove);
+  mean_rib_force_.clear(); // by index
+  mean_rib_torque_.clear();
   rib_contacts_.renumber_clumps(engine_.remove_clumps(remove));
 }
 
@@ -29,14 +33,15 @@ void StaggeredStep::advance(double dt, const dem::Vector3& clamp_velocity, Energ
   if (ledger) book(*ledger, dt);
 
   near_rib_.assign(clumps.size(), false);
+  mean_rib_force_.resize(clumps.size(), dem::Vector3::Zero());
+  mean_rib_torque_.resize(clumps.size(), dem::Vector3::Zero());
   if (geogrid_) {
     geogrid_->refresh_all_ribs();
     rib_contacts_.update_list(clumps, geogrid_->ribs(), dt);
     for (const int i : rib_contacts_.near_clumps()) near_rib_[i] = true;
   }
   for (int i = 0; i < clumps.size(); ++i) {
-    // The unbalanced force of a stone on a rib is not known here, so it is not damped.
-    engine_.kick(i, dt, !near_rib_[i]);
+    engine_.kick(i, dt, mean_rib_force_[i], mean_rib_torque_[i]);
     if (!near_rib_[i]) clumps.drift(i, dt);
   }
   if (geogrid_) {
@@ -71,6 +76,8 @@ void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
     clumps.drift(i, h);
     mean_velocity_[i] += clumps.drift_velocity[i];
     mean_spin_[i] += clumps.drift_spin[i];
+    mean_rib_force_[i] += rib_force_[i];
+    mean_rib_torque_[i] += rib_torque_[i];
     // Work of a kick: force times the mean of the velocities of the drifts before and after it.
     rib_work_on_stones_ += 0.5 * h *
                            (rib_force_[i].dot(v + clumps.drift_velocity[i]) +
@@ -87,6 +94,8 @@ void StaggeredStep::begin_mean_motion()
 {
   mean_velocity_.resize(engine_.clumps().size());
   mean_spin_.resize(engine_.clumps().size());
+  std::fill(mean_rib_force_.begin(), mean_rib_force_.end(), dem::Vector3::Zero());
+  std::fill(mean_rib_torque_.begin(), mean_rib_torque_.end(), dem::Vector3::Zero());
   for (const int i : rib_contacts_.near_clumps()) {
     mean_velocity_[i].setZero();
     mean_spin_[i].setZero();
@@ -98,6 +107,8 @@ void StaggeredStep::end_mean_motion()
   for (const int i : rib_contacts_.near_clumps()) {
     engine_.clumps().step_velocity[i] = mean_velocity_[i] / substeps_;
     engine_.clumps().step_spin[i] = mean_spin_[i] / substeps_;
+    mean_rib_force_[i] /= substeps_;
+    mean_rib_torque_[i] /= substeps_;
   }
 }
 

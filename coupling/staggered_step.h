@@ -50,6 +50,9 @@ private:
   double rib_work_on_stones_ = 0;                    // [J]
   std::vector<dem::Vector3> rib_force_, rib_torque_; // on clumps, of the present sub-step
   std::vector<dem::Vector3> mean_velocity_, mean_spin_; // sums over the sub-steps so far
+  // Forces and torques of ribs on clumps, means over the last step: local damping takes them for
+  // those of the step to come [N], [N m].
+  std::vector<dem::Vector3> mean_rib_force_, mean_rib_torque_;
   std::vector<bool> near_rib_;
   int substeps_ = 1;
   dem::Vector3 clamp_force_ = dem::Vector3::Zero();

@@ -183,16 +183,18 @@ void Engine::touch(WallContact& c, double dt)
   largest_overlap_ = std::max(largest_overlap_, o.depth);
 }
 
-void Engine::kick(int i, double dt, bool damped)
+void Engine::kick(int i, double dt, const Vector3& other_force, const Vector3& other_torque)
 {
   Vector3 force = clumps_.force[i] - clumps_.mass[i] * gravity_vector_;
   Vector3 torque = clumps_.torque[i];
-  if (damped && local_damping_ > 0 && clumps_.force[i] != Vector3::Zero()) {
+  if (local_damping_ > 0 && clumps_.force[i] + other_force != Vector3::Zero()) {
     // Signs and work are those of the velocity before the kick.
     const Vector3 damping_force =
-        local_damping_ * force.cwiseAbs().cwiseProduct(clumps_.velocity[i].cwiseSign());
+        local_damping_ *
+        (force + other_force).cwiseAbs().cwiseProduct(clumps_.velocity[i].cwiseSign());
     const Vector3 damping_torque =
-        local_damping_ * torque.cwiseAbs().cwiseProduct(clumps_.spin[i].cwiseSign());
+        local_damping_ *
+        (torque + other_torque).cwiseAbs().cwiseProduct(clumps_.spin[i].cwiseSign());
     force -= damping_force;
     torque -= damping_torque;
     const Vector3 v = clumps_.velocity[i], w = clumps_.spin[i];

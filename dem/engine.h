@@ -63,8 +63,10 @@ public:
   void compute_forces(double dt);
 
   // Adds the impulse of the computed forces and of gravity.
-  // `damped` false leaves out local damping, for a clump that other forces act on as well.
-  void kick(int clump, double dt, bool damped = true);
+  // `other_force` and `other_torque` (world, about the centre of mass [N], [N m]) act on the clump
+  // besides and are added elsewhere: local damping goes by the whole unbalanced force.
+  void kick(int clump, double dt, const Vector3& other_force = Vector3::Zero(),
+            const Vector3& other_torque = Vector3::Zero());
   // Local damping (Cundall 1987) of clumps that touch something, to settle a packing faster: each
   // component of the unbalanced force and torque is lowered by this share of its size where it
   // speeds the clump up, and raised where it slows it down. 0 switches it off [-].
