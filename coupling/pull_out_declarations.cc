@@ -33,6 +33,8 @@ void declare_stones(ParameterTable& table, StoneParameters& stones)
                 "Clump generator: spheres of a smaller radius are rejected. [m]");
   table.require("P max", stones.p_max, {0, 100, false},
                 "Clump generator: stop when this share of the surface nodes has been used. [%]");
+  table.offer("Max spheres", stones.max_spheres, 0, {0, 100000, true},
+              "Clump generator: largest number of spheres in a clump; 0: no limit. [-]");
   table.offer_choice("Mass properties", stones.mass_properties, "mesh",
                      {"uniform", "equal-mass", "mesh"},
                      "Mass, centre and inertia of a clump: spheres of the same density, spheres of "

@@ -16,6 +16,7 @@ struct StoneParameters {
   double d_min = 0;       // clump generator [m]
   double r_min = 0;       // clump generator [m]
   double p_max = 0;       // clump generator [%]
+  int max_spheres = 0;    // clump generator; 0: no limit
   std::string mass_properties = "mesh"; // uniform | equal-mass | mesh
 };
 

@@ -59,6 +59,7 @@ std::vector<dem::ClumpShape> make_stone_shapes(const StoneParameters& parameters
   clump.d_min = parameters.d_min;
   clump.r_min = parameters.r_min;
   clump.p_max = parameters.p_max;
+  clump.max_spheres = parameters.max_spheres;
   clump.mass_scheme = mass_scheme(parameters.mass_properties);
 
   std::vector<dem::ClumpShape> shapes;

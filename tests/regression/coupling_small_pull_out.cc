@@ -19,9 +19,10 @@ PullOutParameters small_case()
   PullOutParameters p;
   p.stones.count = 12;
   p.stones.density = 2650;
-  p.stones.d_min = 2e-3;
+  p.stones.d_min = 1e-3;
   p.stones.r_min = 2e-3;
-  p.stones.p_max = 1;
+  p.stones.p_max = 100;
+  p.stones.max_spheres = 40;
   p.box.length = 0.16;
   p.box.width = 0.14;
   p.box.height = 0.12;
