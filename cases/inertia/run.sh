@@ -6,8 +6,8 @@
 #   bash cases/inertia/run.sh [FOLDER]        default: results/inertia; after `make build`
 #
 # d_min is that of the first sets of Table 4; r_min, which the paper does not give for this figure, lies
-# between those of Table 4 (0.5 to 3 mm). The numbers of spheres are set
-# directly. 41 stones of some 20,000 nodes, of the sizes of Table 5.
+# between those of Table 4 (0.5 to 3 mm). The numbers of spheres are set directly. 41 stones of some
+# 20,000 nodes, of the sizes of Table 5.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
 interlock="${INTERLOCK:-$root/build/release/bin/interlock}"
