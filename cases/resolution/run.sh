@@ -12,7 +12,7 @@ interlock="${INTERLOCK:-$root/build/release/bin/interlock}"
 folder="${1:-results/resolution}"
 [ -x "$interlock" ] || { echo "There is no program '$interlock': run 'make build' first." >&2; exit 2; }
 
-"$interlock" stones --count 1 --seed 6 --spacing 0.00028 -o "$folder/stone"
+"$interlock" stones --count 1 --seed 6 --spacing 0.000245 -o "$folder/stone"
 sets=("0.0001 0.002 10" "0.0001 0.0005 1" "0.00114 0.001 1" "0.0018 0.003 1")
 clumps=()
 for number in 1 2 3 4; do

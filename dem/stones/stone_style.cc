@@ -31,6 +31,6 @@ void check_style(const StoneStyle& style)
   require("number of steps", style.steps, 0, 6);
   require("roughness", style.roughness, 0, 0.002, " m");
   require("roughness exponent", style.roughness_exponent, 0.3, 1.5);
-  if (style.spacing != 0) require("node spacing", style.spacing, 0.0001, 0.005, " m");
+  if (style.spacing != 0) require("node spacing", style.spacing, 0.00005, 0.005, " m");
 }
 } // namespace interlock::dem

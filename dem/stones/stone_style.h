@@ -34,7 +34,7 @@ struct StoneStyle {
   double roughness = 0.00012;
   double roughness_exponent = 0.8;
 
-  // Mean distance of neighbouring nodes [m], 0.0001-0.005. 0: about 0.0016, but never less than
+  // Mean distance of neighbouring nodes [m], 0.00005-0.005. 0: about 0.0016, but never less than
   // 1692 nor more than 2562 nodes a stone. A finer mesh has finer roughness on the same stone.
   double spacing = 0;
 };

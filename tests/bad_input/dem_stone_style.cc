@@ -49,7 +49,7 @@ TEST(StoneStyle, RefusesWhatIsOutOfRange)
 // Millimetres where metres are wanted.
 TEST(StoneStyle, RefusesASpacingInMillimetres)
 {
-  expect_refusal(with(&StoneStyle::spacing, 0.5), {"node spacing", "0.5 m", "0.0001 to 0.005 m"});
+  expect_refusal(with(&StoneStyle::spacing, 0.5), {"node spacing", "0.5 m", "5e-05 to 0.005 m"});
   expect_refusal(with(&StoneStyle::spacing, -1e-3), {"node spacing", "-0.001 m"});
 }
 

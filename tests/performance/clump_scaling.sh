@@ -11,18 +11,18 @@ folder="${1:-results/clump_scaling}"
 command -v /usr/bin/time >/dev/null || { echo "GNU time is needed: apt-get install time" >&2; exit 2; }
 
 mkdir -p "$folder"
-echo "nodes,time [s],memory [MB],start [s]" >"$folder/clump_scaling.csv"
-for spacing in 0.0016 0.0008 0.0004 0.0002 0.0001; do
+echo "nodes,time [s],memory [MB]" >"$folder/clump_scaling.csv"
+for spacing in 0.0016 0.0008 0.0004 0.0002 0.0001 0.00008; do
   "$interlock" stones --count 1 --seed 6 --spacing "$spacing" -o "$folder/$spacing" >/dev/null
-  # The fastest of three, and the time that the program needs to start, which no node is to blame for.
+  clump="$folder/$spacing/stone"
+  run=("$interlock" clump "$folder/$spacing/stone_001.stl" --d-min 0.0002 --r-min 0.0005 --max-spheres 500
+    -o "$clump.clump.json" --report "$clump.report.json")
   for _ in 1 2 3; do
-    start="$( { /usr/bin/time -f '%U' taskset -c 0 "$interlock" --version >/dev/null; } 2>&1)"
-    used="$( { /usr/bin/time -f '%e,%M' taskset -c 0 "$interlock" clump "$folder/$spacing/stone_001.stl" \
-      --d-min 0.0002 --r-min 0.0005 --max-spheres 500 -o "$folder/$spacing/stone.clump.json" >/dev/null; } 2>&1)"
-    echo "$used,$start"
-  done | sort -g | head -1 | awk -F, -v OFS=, \
-    -v nodes="$(grep -o '"nodes": [0-9]*' "$folder/$spacing/stone_001.report.json" | head -1 | cut -d' ' -f2)" \
-    '{print nodes, $1, $2 / 1024, $3}' | tee -a "$folder/clump_scaling.csv"
+    { /usr/bin/time -f '%e,%M' taskset -c 0 "${run[@]}" >/dev/null; } 2>&1
+  done | sort -g | head -1 >"$clump.time" # the fastest of three
+  nodes="$(grep -o '"nodes": [0-9]*' "$clump.report.json" | head -1 | cut -d' ' -f2)"
+  awk -F, -v OFS=, -v nodes="$nodes" '{print nodes, $1, $2 / 1024}' "$clump.time" |
+    tee -a "$folder/clump_scaling.csv"
 done
 /usr/bin/python3 - "$folder" <<'PYTHON'
 import sys
@@ -31,7 +31,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 folder = sys.argv[1]
-nodes, seconds, _, start = np.loadtxt(f"{folder}/clump_scaling.csv", delimiter=",", skiprows=1).T
+nodes, seconds, _ = np.loadtxt(f"{folder}/clump_scaling.csv", delimiter=",", skiprows=1).T
 figure, axes = plt.subplots(figsize=(6, 4), dpi=150)
 axes.loglog(nodes, seconds, "o-", color="#0072B2", label="interlock clump, 500 spheres, one core")
 axes.loglog(nodes, nodes * seconds[-1] / nodes[-1], "--", color="0.5", label="proportional to the nodes")
