@@ -6,7 +6,8 @@
 
 namespace interlock::fem
 {
-// `rbf`: residual bending flexibility in both shear stiffnesses, see residual_shear.
+// `rbf`: residual bending flexibility in both shear stiffnesses, see residual_shear and
+// residual_bowing.
 inline BeamConstants<double> beam_constants(const Lattice& lattice, int e, bool rbf)
 {
   const LatticeElement& element = lattice.element(e);
@@ -20,6 +21,8 @@ inline BeamConstants<double> beam_constants(const Lattice& lattice, int e, bool 
           1 / h,
           {q.w(), q.x(), q.y(), q.z()},
           {s.axial, shear_2, shear_3},
-          {s.torsion, s.bending_2, s.bending_3}};
+          {s.torsion, s.bending_2, s.bending_3},
+          {rbf ? residual_bowing(s.shear_2, s.bending_3, h) : 0,
+           rbf ? residual_bowing(s.shear_3, s.bending_2, h) : 0, rbf ? h * h / 12 : 0}};
 }
 } // namespace interlock::fem

@@ -8,7 +8,7 @@
 //   force strains gamma = R^T (x2 - x1)/h - e1  with R the frame midway on that geodesic,
 // so rigid motion leaves both unchanged to rounding. End forces and torques are minus the gradient
 // of the strain energy h/2 (gamma.C gamma + kappa.D kappa) with respect to nodal displacement and
-// spin.
+// spin. With the bowing of residual_bowing the stretch in it is that of the bowed centre line.
 //
 // No trigonometry: with z = sin(|phi|/4) e, c = cos(|phi|/4) = |q1 + q2|/2 and w = sin^2(|phi|/8),
 // everything follows from G(w) = arcsin(sqrt w)/sqrt(w (1 - w)), a power series. It is exact to
@@ -29,6 +29,7 @@ template <class Number> struct BeamConstants {
   Quadruple<Number> frame;         // unloaded element frame to world
   Triple<Number> force_stiffness;  // axial, shear along e2, shear along e3 [N]
   Triple<Number> moment_stiffness; // torsion, bending about e2, about e3 [N m2]
+  Triple<Number> bowing; // of shear along e2, along e3 [-], of curvature [m2]; see residual_bowing
 };
 
 // What changes: position of both nodes [m] and rotation of both nodes from the unloaded state,
@@ -161,13 +162,24 @@ BeamStrains<Number> beam_strains(const BeamEnds<Number>& ends, const BeamConstan
   return strains;
 }
 
+// Stretch of the centre line, bowed between the nodes [-].
+template <class Number, class Constant>
+Number bowed_stretch(const BeamStrains<Number>& strains, const BeamConstants<Constant>& beam)
+{
+  const Triple<Number>&gamma = strains.gamma, &kappa = strains.kappa;
+  return gamma[0] +
+         0.5 * (beam.bowing[0] * gamma[1] * gamma[1] + beam.bowing[1] * gamma[2] * gamma[2] +
+                beam.bowing[2] * (kappa[1] * kappa[1] + kappa[2] * kappa[2]));
+}
+
 // Section force (axial, shear along e2, e3) [N] in the midway frame.
 template <class Number, class Constant>
 Triple<Number> section_force(const BeamStrains<Number>& strains,
                              const BeamConstants<Constant>& beam)
 {
-  return {beam.force_stiffness[0] * strains.gamma[0], beam.force_stiffness[1] * strains.gamma[1],
-          beam.force_stiffness[2] * strains.gamma[2]};
+  const Number axial = beam.force_stiffness[0] * bowed_stretch(strains, beam);
+  return {axial, (beam.force_stiffness[1] + beam.bowing[0] * axial) * strains.gamma[1],
+          (beam.force_stiffness[2] + beam.bowing[1] * axial) * strains.gamma[2]};
 }
 
 // Section moment (torque, bending about e2, e3) [N m] in the midway frame.
@@ -175,17 +187,23 @@ template <class Number, class Constant>
 Triple<Number> section_moment(const BeamStrains<Number>& strains,
                               const BeamConstants<Constant>& beam)
 {
-  return {beam.moment_stiffness[0] * strains.kappa[0], beam.moment_stiffness[1] * strains.kappa[1],
-          beam.moment_stiffness[2] * strains.kappa[2]};
+  const Triple<Number>& kappa = strains.kappa;
+  const Number axial = beam.force_stiffness[0] * bowed_stretch(strains, beam);
+  return {beam.moment_stiffness[0] * kappa[0],
+          (beam.moment_stiffness[1] + beam.bowing[2] * axial) * kappa[1],
+          (beam.moment_stiffness[2] + beam.bowing[2] * axial) * kappa[2]};
 }
 
 // Strain energy of the element [J].
 template <class Number, class Constant>
 Number strain_energy(const BeamStrains<Number>& strains, const BeamConstants<Constant>& beam)
 {
+  const Triple<Constant>&c = beam.force_stiffness, &d = beam.moment_stiffness;
+  const Triple<Number>&gamma = strains.gamma, &kappa = strains.kappa;
+  const Number stretch = bowed_stretch(strains, beam);
   return 0.5 * beam.length *
-         (detail::dot(strains.gamma, section_force(strains, beam)) +
-          detail::dot(strains.kappa, section_moment(strains, beam)));
+         (c[0] * stretch * stretch + c[1] * gamma[1] * gamma[1] + c[2] * gamma[2] * gamma[2] +
+          d[0] * kappa[0] * kappa[0] + d[1] * kappa[1] * kappa[1] + d[2] * kappa[2] * kappa[2]);
 }
 
 // Forces and torques on both nodes: minus the gradient of the strain energy. Their sum is zero, and

@@ -2,7 +2,6 @@
 #include "fem/explicit_dynamics.h"
 
 #include "fem/beam_constants.h"
-#include "fem/stable_step.h"
 #include "fem/wide.h"
 
 #include <Eigen/Eigenvalues>
@@ -32,7 +31,7 @@ void require_size(std::size_t size, int nodes, const char* name)
 ExplicitDynamics::ExplicitDynamics(const Lattice& lattice, const DynamicsOptions& options)
     : lattice_(lattice), options_(options),
       nodes_(lump_inertia(lattice, options.spherical_inertia)),
-      stable_step_(stable_beam_step(lattice, nodes_, options.spherical_inertia, options.rbf))
+      frequency_(beam_frequency(lattice, nodes_, options.spherical_inertia, options.rbf))
 {
   number_slots();
   size_lanes();
@@ -71,8 +70,8 @@ void ExplicitDynamics::size_lanes()
     (std::for_each(lanes.begin(), lanes.end(), clear), ...);
   };
   clear_all(position_, velocity_, spin_, angular_momentum_, orientation_, frame_, force_stiffness_,
-            moment_stiffness_, inertia_, inverse_inertia_, load_force_, load_torque_, beam_force_,
-            beam_torque1_, beam_torque2_, force_, torque_);
+            moment_stiffness_, bowing_, inertia_, inverse_inertia_, load_force_, load_torque_,
+            beam_force_, beam_torque1_, beam_torque2_, force_, torque_);
   for (Lane* lane : {&length_, &inverse_length_, &mass_, &inverse_mass_, &clamped_, &counts_})
     clear(*lane);
   std::fill(orientation_[0].begin(), orientation_[0].end(), 1.);
@@ -90,6 +89,7 @@ void ExplicitDynamics::fill_beam_constants()
     for (int c = 0; c < 3; ++c) {
       force_stiffness_[c][s] = beam.force_stiffness[c];
       moment_stiffness_[c][s] = beam.moment_stiffness[c];
+      bowing_[c][s] = beam.bowing[c];
     }
   }
 }

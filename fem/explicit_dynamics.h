@@ -5,6 +5,7 @@
 #include "fem/lattice.h"
 #include "fem/lumped_inertia.h"
 #include "fem/section_forces.h"
+#include "fem/stable_step.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -140,7 +141,7 @@ public:
   void step(double h);
 
   // Largest stable step without contacts [s], see stable_beam_step.
-  double stable_step() const { return stable_step_; }
+  double stable_step() const { return frequency_.stable_step(largest_force_); }
 
   LatticeEnergies energies() const;
   // Force of mass damping on all free nodes in the last step [N].
@@ -187,7 +188,8 @@ private:
   DynamicsOptions options_;
   std::vector<NodeInertia> nodes_;
   std::vector<double> smallest_inertia_;
-  double stable_step_ = 0;
+  BeamFrequency frequency_;
+  double largest_force_ = 0; // of any element at the last step [N]
 
   // Slots: of the first end of each element, the first one of each node, all of each junction.
   int n_slots_ = 0, n_padded_ = 0;
@@ -201,7 +203,7 @@ private:
   // Beam from slot s to s + 1; inverse length zero where slot s ends a line.
   Lane length_, inverse_length_;
   Lanes4 frame_;
-  Lanes3 force_stiffness_, moment_stiffness_;
+  Lanes3 force_stiffness_, moment_stiffness_, bowing_;
 
   // Mass, inertia (the spherical value, or the six entries xx yy zz xy xz yz of the tensor and of
   // its inverse), 1 for clamped slots, 1 for the slot that counts for its node in sums.

@@ -4,6 +4,8 @@
 #include "fem/beam_element.h"
 #include "fem/wide.h"
 
+#include <cmath>
+
 namespace interlock::fem
 {
 namespace
@@ -52,19 +54,25 @@ Triple<Wide> spin_of(const Triple<Wide>& momentum, const std::array<Wide, 6>& in
 // half as long again.
 [[gnu::flatten]] void ExplicitDynamics::compute_element_loads()
 {
+  Wide largest = 0.; // squared
   for (int s = 0; s < n_padded_; s += wide_lanes) {
     const BeamConstants<Wide> beam{load_wide(length_.data() + s),
-                                   load_wide(inverse_length_.data() + s), load_wide(frame_, s),
-                                   load_wide(force_stiffness_, s), load_wide(moment_stiffness_, s)};
+                                   load_wide(inverse_length_.data() + s),
+                                   load_wide(frame_, s),
+                                   load_wide(force_stiffness_, s),
+                                   load_wide(moment_stiffness_, s),
+                                   load_wide(bowing_, s)};
     BeamEndLoads<Wide> loads =
         end_loads(beam_strains(load_ends(position_, orientation_, s), beam), beam);
     drop_gaps(beam.inverse_length, loads.force1);
     drop_gaps(beam.inverse_length, loads.torque1);
     drop_gaps(beam.inverse_length, loads.torque2);
+    largest = max(largest, dot(loads.force1, loads.force1));
     store_wide(loads.force1, beam_force_, s + wide_lanes);
     store_wide(loads.torque1, beam_torque1_, s + wide_lanes);
     store_wide(loads.torque2, beam_torque2_, s + wide_lanes);
   }
+  largest_force_ = std::sqrt(hmax(largest));
 }
 
 void ExplicitDynamics::sum_at_slots(bool with_elements)
@@ -198,8 +206,11 @@ template void ExplicitDynamics::update_nodes<false>(double, double);
   Wide sum = 0.;
   for (int s = 0; s < n_padded_; s += wide_lanes) {
     const BeamConstants<Wide> beam{load_wide(length_.data() + s),
-                                   load_wide(inverse_length_.data() + s), load_wide(frame_, s),
-                                   load_wide(force_stiffness_, s), load_wide(moment_stiffness_, s)};
+                                   load_wide(inverse_length_.data() + s),
+                                   load_wide(frame_, s),
+                                   load_wide(force_stiffness_, s),
+                                   load_wide(moment_stiffness_, s),
+                                   load_wide(bowing_, s)};
     std::array<Wide, 1> energy{
         strain_energy(beam_strains(load_ends(position, orientation, s), beam), beam)};
     drop_gaps(beam.inverse_length, energy);

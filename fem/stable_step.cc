@@ -1,5 +1,7 @@
 #include "fem/stable_step.h"
 
+#include "fem/beam_constants.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -24,22 +26,32 @@ Eigen::Vector3d end_inertia(const Lattice& lattice, int e, const std::vector<Nod
 }
 } // namespace
 
-double stable_beam_step(const Lattice& lattice, const std::vector<NodeInertia>& nodes,
-                        bool spherical, bool rbf)
+BeamFrequency beam_frequency(const Lattice& lattice, const std::vector<NodeInertia>& nodes,
+                             bool spherical, bool rbf)
 {
-  double square = 0; // largest omega^2
+  BeamFrequency bound;
   for (int e = 0; e < lattice.n_elements(); ++e) {
     const BeamSection& s = lattice.section(e);
-    const double h = lattice.element(e).length, m = 0.5 * s.line_density * h;
+    const BeamConstants<double> beam = beam_constants(lattice, e, rbf);
+    const double h = beam.length, m = 0.5 * s.line_density * h;
     const Eigen::Vector3d j = end_inertia(lattice, e, nodes, spherical);
     // Shear along e2 goes with turning about e3, and the other way round.
-    const double shear_2 = rbf ? residual_shear(s.shear_2, s.bending_3, h) : s.shear_2;
-    const double shear_3 = rbf ? residual_shear(s.shear_3, s.bending_2, h) : s.shear_3;
-    square = std::max({square, 2 * s.axial / (h * m), 2 * s.torsion / (h * j[0]),
-                       2 * s.bending_2 / (h * j[1]), 2 * s.bending_3 / (h * j[2]),
-                       shear_2 * (2 / (h * m) + h / (2 * j[2])),
-                       shear_3 * (2 / (h * m) + h / (2 * j[1]))});
+    const double moving = 2 / (h * m);
+    const double shearing[2] = {moving + h / (2 * j[2]), moving + h / (2 * j[1])};
+    bound.unloaded =
+        std::max({bound.unloaded, moving * s.axial, 2 * s.torsion / (h * j[0]),
+                  2 * s.bending_2 / (h * j[1]), 2 * s.bending_3 / (h * j[2]),
+                  beam.force_stiffness[1] * shearing[0], beam.force_stiffness[2] * shearing[1]});
+    for (const int c : {0, 1}) {
+      // Shear turns the sections at the stretched length a = 1 + N/EA: (S* + b N) a^2 - N a; here
+      // a straight line in N that lies above it up to a = 1.2.
+      const double turning = h / (2 * j[2 - c]);
+      const double lever = 2.2 * beam.force_stiffness[1 + c] / s.axial * turning;
+      const double tipping = std::max(0., 1.44 * beam.bowing[c] - 1.2) * turning;
+      bound.per_tension = std::max({bound.per_tension, beam.bowing[c] * moving + lever + tipping,
+                                    2 * beam.bowing[2] / (h * j[2 - c])});
+    }
   }
-  return 2 / std::sqrt(square);
+  return bound;
 }
 } // namespace interlock::fem

@@ -4,20 +4,33 @@
 #include "fem/lattice.h"
 #include "fem/lumped_inertia.h"
 
+#include <cmath>
 #include <vector>
 
 namespace interlock::fem
 {
-// Largest step 2/omega [s] at which the leapfrog rule stays bounded on the lattice without
-// contacts. Safe side: the highest frequency of the assembled lattice lies below that of its worst
+// Bound on the highest frequency of a lattice without contacts: omega^2 <= unloaded + tension
+// per_tension.
+struct BeamFrequency {
+  double unloaded = 0;    // [1/s2]
+  double per_tension = 0; // for the largest tension of any element [1/(s2 N)]
+  // Largest step 2/omega at which the leapfrog rule stays bounded [s].
+  double stable_step(double tension = 0) const
+  {
+    return 2 / std::sqrt(unloaded + tension * per_tension);
+  }
+};
+
+// Safe side: the highest frequency of the assembled lattice lies below that of its worst
 // element with that element's share of the nodal masses. `spherical` says whether `nodes` carry
 // spherical inertia, of which every element end takes an equal share; otherwise each end carries
 // its own rotary inertia. `rbf`: residual bending flexibility in the shear stiffness. Per element
 // of length h, with the end's mass m and inertia J (twice these are a node's within a rib):
 //   axial 2 EA/(h m), torsion 2 GJ/(h J), bending 2 EI/(h J), shear S (2/(h m) + h/(2 J))
 // are squares of omega, the last two in both planes.
-// Derived on the straight unstrained element, where these modes are orthogonal; strains of a few
-// per cent change the result by less than their own size.
-double stable_beam_step(const Lattice& lattice, const std::vector<NodeInertia>& nodes,
-                        bool spherical, bool rbf);
+// Derived on the straight element, where these modes are orthogonal. Tension N adds (1 + b) N to
+// the shear stiffness against displacement, some (b - 1) N against turning, and N h^2/12 to the
+// bending stiffness, with the bowing b of residual_bowing. Good for stretches up to 0.2.
+BeamFrequency beam_frequency(const Lattice& lattice, const std::vector<NodeInertia>& nodes,
+                             bool spherical, bool rbf);
 } // namespace interlock::fem

@@ -45,7 +45,8 @@ Case random_case()
   Case c;
   const Quaterniond frame = rotation_exponential(random_vector(2));
   const double h = 0.3;
-  c.beam = {h, 1 / h, {frame.w(), frame.x(), frame.y(), frame.z()}, {10, 4, 5}, {1, 2, 3}};
+  c.beam = {h,          1 / h,     {frame.w(), frame.x(), frame.y(), frame.z()},
+            {10, 4, 5}, {1, 2, 3}, {1.1, 0.7, 0.01}};
   c.q[0] = rotation_exponential(random_vector(1.5));
   c.q[1] = rotation_exponential(random_vector(0.6)) * c.q[0];
   c.x[0] = random_vector(1);
@@ -177,6 +178,7 @@ TEST(BeamElement, VectorLanesAgreeWithScalars)
     for (int i = 0; i < 3; ++i) {
       beam.force_stiffness[i][lane] = c.beam.force_stiffness[i];
       beam.moment_stiffness[i][lane] = c.beam.moment_stiffness[i];
+      beam.bowing[i][lane] = c.beam.bowing[i];
       ends.x1[i][lane] = one.x1[i];
       ends.x2[i][lane] = one.x2[i];
     }

@@ -31,8 +31,8 @@ Lattice small_lattice(int elements)
   return Lattice(layout);
 }
 
-// 2/omega_max of K u = omega^2 M u.
-double exact_limit(const Lattice& lattice, const DynamicsOptions& options)
+// 2/omega_max of K u = omega^2 M u, of the lattice as it is or evenly stretched.
+double exact_limit(const Lattice& lattice, const DynamicsOptions& options, double stretch = 0)
 {
   const int n = 6 * lattice.n_nodes();
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n), mass = stiffness;
@@ -41,7 +41,8 @@ double exact_limit(const Lattice& lattice, const DynamicsOptions& options)
     const auto& node = lattice.element(e).node;
     const BeamTangent tangent =
         beam_tangent(beam_constants(lattice, e, options.rbf),
-                     {lattice.reference_position(node[0]), lattice.reference_position(node[1])},
+                     {(1 + stretch) * lattice.reference_position(node[0]),
+                      (1 + stretch) * lattice.reference_position(node[1])},
                      {identity, identity}, {Vector3d::Zero(), Vector3d::Zero()});
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
@@ -93,6 +94,22 @@ TEST(StableStep, FormulaIsSafeAndNotWasteful)
         EXPECT_LE(formula, exact * (1 + 1e-9)) << spherical << rbf << elements;
         EXPECT_GE(formula, exact / 1.2) << spherical << rbf << elements;
       }
+}
+
+TEST(StableStep, FormulaIsSafeUnderTension)
+{
+  for (const bool spherical : {false, true})
+    for (const double stretch : {0.02, 0.08, 0.16}) {
+      DynamicsOptions options;
+      options.spherical_inertia = spherical;
+      const Lattice lattice = small_lattice(8);
+      const double exact = exact_limit(lattice, options, stretch);
+      const double formula =
+          beam_frequency(lattice, lump_inertia(lattice, spherical), spherical, options.rbf)
+              .stable_step(stretch * lattice.section(0).axial);
+      EXPECT_LE(formula, exact) << spherical << stretch;
+      EXPECT_GE(formula, exact / 1.4) << spherical << stretch;
+    }
 }
 
 TEST(StableStep, BoundedBelowGrowingAbove)
