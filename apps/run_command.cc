@@ -104,6 +104,9 @@ void run(const RunArguments& arguments)
   if (input.parameters.output.report && draw_figures(folder) != 0)
     display.message("warning: the figures could not be drawn; \"interlock report " +
                     folder.string() + "\" tries again.");
+  if (!summary.ledger_closes)
+    throw std::runtime_error("energy was made or lost, see the warnings. What is in " +
+                             folder.string() + " is for finding out why.");
 }
 } // namespace
 

@@ -91,26 +91,48 @@ void Geogrid::refresh_all_ribs()
 void Geogrid::apply(const std::vector<dem::RibWrench>& wrenches)
 {
   dynamics_->clear_loads();
-  for (const dem::RibWrench& w : wrenches) dynamics_->add_load(w.rib, w.xi, w.force, w.moment);
+  for (const dem::RibWrench& w : wrenches) {
+    // A moment about the chord turns the sections; one across it turns the chord: a couple of
+    // forces.
+    const dem::Vector3 chord = ribs_[w.rib].x[1] - ribs_[w.rib].x[0];
+    const double square = chord.squaredNorm();
+    const dem::Vector3 couple = w.moment.cross(chord) / square;
+    dynamics_->add_load(w.rib, w.xi, w.force, w.moment.dot(chord) / square * chord);
+    dynamics_->add_load(w.rib, 0, -couple, dem::Vector3::Zero());
+    dynamics_->add_load(w.rib, 1, couple, dem::Vector3::Zero());
+  }
 }
 
 int Geogrid::required_substeps(double dt, const dem::RibContacts& contacts) const
 {
   if (rigid_) return 1;
   const dem::ContactProperties& pair = contacts.properties();
-  std::vector<double> rate(lattice_->n_nodes(), 0.); // omega^2 of the contacts at a node [1/s2]
+  std::vector<double> rate(lattice_->n_nodes(), 0.); // bound on omega^2 of the contacts [1/s2]
   for (const dem::RibContact& c : contacts.contacts()) {
     if (c.overlap <= 0) continue;
-    const std::array<int, 2>& node = lattice_->element(c.rib).node;
-    const double weight[2] = {1 - c.xi, c.xi};
-    const dem::Vector3 along = c.force.norm() > 0 ? c.force.normalized() : dem::Vector3::UnitZ();
-    const double turning = c.arm.cross(along).squaredNorm(), sliding = c.arm.squaredNorm();
-    // (N1 a + N2 b)^2 <= N1 a^2 + N2 b^2 shares one contact between its two nodes on the safe side.
+    const dem::Vector3 chord = ribs_[c.rib].x[1] - ribs_[c.rib].x[0];
+    const double length = chord.norm(), arm = c.arm.norm();
+    const dem::Vector3 normal = c.force.norm() > 0 ? c.force.normalized() : dem::Vector3::UnitZ();
+    const dem::Vector3 moment = c.arm.cross(normal); // of a unit force
+    const double turning = moment.dot(chord) / length;
+    const dem::Vector3 couple = moment.cross(chord) / (length * length);
+    // What a unit force along the normal, and one across it in the worst direction, does to each
+    // end: along the rod it turns the chord, across the rod the section.
+    double pushed[2], dragged[2];
     for (int end : {0, 1}) {
-      const double m = dynamics_->mass(node[end]), j = dynamics_->inertia(node[end]);
-      rate[node[end]] += weight[end] * std::max(pair.normal_stiffness * (1 / m + turning / j),
-                                                pair.tangential_stiffness * (1 / m + sliding / j));
+      const int node = lattice_->element(c.rib).node[end];
+      const double share = end == 0 ? 1 - c.xi : c.xi, side = end == 0 ? -1 : 1;
+      const double m = dynamics_->mass(node), j = dynamics_->inertia(node);
+      pushed[end] = std::sqrt((share * normal + side * couple).squaredNorm() / m +
+                              share * share * turning * turning / j);
+      dragged[end] =
+          std::max((share + arm / length) / std::sqrt(m), share * std::sqrt(1 / m + arm * arm / j));
     }
+    // Blocks of k v v^T, bounded node by node as by Gershgorin.
+    for (int end : {0, 1})
+      rate[lattice_->element(c.rib).node[end]] +=
+          std::max(pair.normal_stiffness * pushed[end] * (pushed[0] + pushed[1]),
+                   pair.tangential_stiffness * dragged[end] * (dragged[0] + dragged[1]));
   }
   const double beam = 2 / dynamics_->stable_step();
   const double fastest = *std::max_element(rate.begin(), rate.end());

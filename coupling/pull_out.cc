@@ -179,7 +179,7 @@ double PullOut::settled_energy(Settling settling) const
   const double looseness = settling == Settling::between_pours ? 10 : 1;
   double weight = 0;
   for (int i = 0; i < engine_->clumps().size(); ++i)
-    if (filling_->is_stone(i)) weight += engine_->clumps().mass[i] * parameters_.gravity;
+    weight += engine_->clumps().mass[i] * parameters_.gravity;
   return looseness * parameters_.filling.kinetic_energy_ratio * weight * mean_size_;
 }
 
@@ -259,10 +259,9 @@ void PullOut::press_surface(double height)
 void PullOut::place_geogrid()
 {
   begin_stage("place geogrid");
-  // The clamped front rib hangs out of the slot, clear of the wall.
-  const double overhang = 0.5 * parameters_.geogrid.rib_width + 5e-3; // [m]
+  const double front = -parameters_.geogrid.overhang - 0.5 * parameters_.geogrid.rib_width;
   geogrid_ = std::make_unique<Geogrid>(Geogrid::biaxial(
-      parameters_.geogrid, Vector3(-overhang, 0.5 * parameters_.box.width, geogrid_height_),
+      parameters_.geogrid, Vector3(front, 0.5 * parameters_.box.width, geogrid_height_),
       parameters_.gravity));
   const int before = engine_->clumps().size();
   clear_ribs();

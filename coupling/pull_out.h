@@ -46,6 +46,7 @@ private:
   void settle_before_pull();
   void describe_packing();
   void drop_lost_stones();
+  void warn_of_rib_at_wall();
   void watch_pull();
   void press_surface(double height);
   void place_geogrid();
@@ -83,6 +84,8 @@ private:
   std::vector<double> record_displacements_;
   EnergyLedger ledger_at_pull_, ledger_;
   double largest_overlap_ = 0;          // in the pull, of all contacts [m]
+  double largest_axial_force_ = 0;      // in the pull, of all ribs at the records [N]
+  double largest_stretch_ = 0;          // the same [-]
   double smallest_stable_step_ = 1e300; // at the records of the pull [s]
   int n_lost_ = 0;                      // stones that fell out of the slot
 };

@@ -84,6 +84,8 @@ void declare_lattice(ParameterTable& table, GeogridParameters& geogrid)
                 "Number of apertures in the direction of the pull. [-]");
   table.require("Apertures across", geogrid.apertures_across, {1, 1000, true},
                 "Number of apertures across the box. [-]");
+  table.require("Overhang", geogrid.overhang, not_negative,
+                "Distance of the clamped front rib outside the box from the front wall. [m]");
   table.require("Pitch along", geogrid.pitch_along, positive,
                 "Distance of the centre lines of two transverse ribs. [m]");
   table.require("Pitch across", geogrid.pitch_across, positive,

@@ -47,6 +47,7 @@ struct GeogridParameters {
   std::string placement = "flattened"; // flattened | not flattened
   int apertures_along = 0;             // in the direction of the pull
   int apertures_across = 0;
+  double overhang = 0;       // of the clamped front rib, from the front wall to its near edge [m]
   double pitch_along = 0;    // rib centre line to rib centre line [m]
   double pitch_across = 0;   // [m]
   double rib_width = 0;      // in plane [m]

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace interlock::coupling
 {
 namespace
 {
+constexpr double ledger_bound = 0.01; // on the error over the work put in [-]
+
 std::string sentence(const char* format, double a, double b)
 {
   char buffer[160];
@@ -55,6 +58,7 @@ void PullOut::pull(const std::filesystem::path& output)
 {
   begin_stage("pull");
   const PullParameters& p = parameters_.pull;
+  warn_of_rib_at_wall();
   const double duration = p.distance / p.speed + 0.5 * p.ramp_time;
   History history(output / "history.csv", history_columns());
   const int n_records = parameters_.output.records, n_frames = parameters_.output.field_frames;
@@ -90,6 +94,17 @@ void PullOut::pull(const std::filesystem::path& output)
                      mean_over_window(record_displacements_, record_forces_, 1e-3)));
 }
 
+// Stones caught between the second transverse rib and the front wall carry the pull on their own.
+void PullOut::warn_of_rib_at_wall()
+{
+  const GeogridParameters& g = parameters_.geogrid;
+  const double left = g.pitch_along - g.overhang - g.rib_width - parameters_.pull.distance;
+  if (g.apertures_along > 1 && left < mean_size_)
+    warn(sentence("The pull brings the second transverse rib to %.1f mm from the front wall, less "
+                  "than a stone of %.1f mm: stones caught there raise the force.",
+                  1e3 * left, 1e3 * mean_size_));
+}
+
 void PullOut::watch_pull()
 {
   largest_overlap_ = std::max(largest_overlap_, engine_->largest_overlap());
@@ -103,6 +118,8 @@ void PullOut::describe_packing()
   const BoxParameters& box = parameters_.box;
   const double mass = filling_->mass_in_box(), surface = filling_->surface_height();
   const double stones = static_cast<double>(engine_->clumps().size());
+  const std::vector<double>& masses = engine_->clumps().mass; // the surcharge's, too
+  const double total_mass = std::accumulate(masses.begin(), masses.end(), 0.);
   nlohmann::ordered_json& results = summary_.results;
   results["rigid"] = parameters_.geogrid.rigid;
   results["placement"] = parameters_.geogrid.placement;
@@ -111,7 +128,7 @@ void PullOut::describe_packing()
   results["mass_above_geogrid_kg"] = filling_->mass_above(geogrid_height_);
   results["mean_surface_height_m"] = surface;
   results["bulk_density_kg_per_m3"] = mass / (box.length * box.width * surface);
-  results["rms_speed_before_pull_m_per_s"] = std::sqrt(2 * engine_->kinetic_energy() / mass);
+  results["rms_speed_before_pull_m_per_s"] = std::sqrt(2 * engine_->kinetic_energy() / total_mass);
   results["surcharge_N"] = parameters_.surcharge.force;
 }
 
@@ -139,8 +156,12 @@ void PullOut::record(History& history, double displacement)
       rear += lattice.reference_position(node).x() - dynamics.position(node).x();
       ++n_rear;
     }
-  for (int e = 0; e < lattice.n_elements(); ++e)
-    axial = std::max(axial, std::abs(dynamics.section_forces(e).axial));
+  for (int e = 0; e < lattice.n_elements(); ++e) {
+    const double force = dynamics.section_forces(e).axial;
+    axial = std::max(axial, std::abs(force));
+    largest_stretch_ = std::max(largest_stretch_, force / lattice.section(e).axial);
+  }
+  largest_axial_force_ = std::max(largest_axial_force_, axial);
   const auto& rib_contacts = loop_->rib_contacts().contacts();
   const auto touching = std::count_if(rib_contacts.begin(), rib_contacts.end(),
                                       [](const dem::RibContact& c) { return c.overlap > 0; });
@@ -200,6 +221,8 @@ void PullOut::collect_results()
   s.results["peak_pull_force_N"] = *peak;
   s.results["displacement_at_peak_m"] = record_displacements_[peak - filtered_forces_.begin()];
   s.results["peak_pull_force_between_records_N"] = *raw_peak;
+  s.results["largest_axial_force_in_a_rib_N"] = largest_axial_force_;
+  s.results["largest_stretch_of_a_rib"] = largest_stretch_;
   s.results["mean_surface_height_after_pull_m"] = filling_->surface_height();
   s.results["smallest_stable_step_s"] = smallest_stable_step_;
   s.results["stones_lost_through_slot"] = n_lost_;
@@ -211,12 +234,13 @@ void PullOut::collect_results()
   if (n_lost_ > 0)
     warn(std::to_string(n_lost_) + " stones fell out of the slot and were taken out.");
   const double pull_error = s.energy["pull_relative_error"];
-  if (pull_error > 0.01)
+  if (pull_error > ledger_bound)
     warn(sentence("The energy ledger of the pull leaves its bound: error %.2g of the clamp's work, "
                   "bound %.2g.",
-                  pull_error, 0.01));
-  if (ledger_.relative_error() > 0.01)
+                  pull_error, ledger_bound));
+  if (ledger_.relative_error() > ledger_bound)
     warn(sentence("The energy ledger leaves its bound: error %.2g of the work put in, bound %.2g.",
-                  ledger_.relative_error(), 0.01));
+                  ledger_.relative_error(), ledger_bound));
+  s.ledger_closes = std::max(pull_error, ledger_.relative_error()) <= ledger_bound;
 }
 } // namespace interlock::coupling

@@ -61,18 +61,26 @@ RibProximity rib_proximity(const Rib& rib, const Vector3& centre, double radius)
   // Section axes, made perpendicular to the chord so that the nearest point is exact.
   const Vector3 e1 = chord / std::sqrt(length_squared);
   const Vector3 width = (1 - result.xi) * rib.width_axis[0] + result.xi * rib.width_axis[1];
-  const Vector3 e2 = (width - width.dot(e1) * e1).normalized();
+  const Vector3 across = width - width.dot(e1) * e1;
+  const Vector3 e2 = across.normalized();
   const Vector3 e3 = e1.cross(e2);
   const Vector3 d = centre - result.centre;
   const double core_width = rib.half_width - rib.rounding;
   const double core_thickness = rib.half_thickness - rib.rounding;
-  result.core = result.centre + std::clamp(d.dot(e2), -core_width, core_width) * e2 +
-                std::clamp(d.dot(e3), -core_thickness, core_thickness) * e3;
+  const double y = std::clamp(d.dot(e2), -core_width, core_width);
+  const double z = std::clamp(d.dot(e3), -core_thickness, core_thickness);
+  result.core = result.centre + y * e2 + z * e3;
 
   const Vector3 gap = centre - result.core;
   result.distance = gap.norm();
   result.overlap = radius + rib.rounding - result.distance;
   result.normal = result.distance > 1e-12 ? Vector3(gap / result.distance) : e3;
+  const bool at_an_end = result.xi == 0 || result.xi == 1;
+  const double twist = // of the section, per length [rad/m]
+      at_an_end ? 0
+                : e3.dot(rib.width_axis[1] - rib.width_axis[0]) /
+                      std::sqrt(across.squaredNorm() * length_squared);
+  result.lean = -twist * result.normal.dot(y * e3 - z * e2) * e1;
   return result;
 }
 
@@ -188,7 +196,7 @@ void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs)
     if (old == old_contacts_.end()) break;
     if (key(*old) == key(c))
       c.history = old->history, c.force = old->force, c.rib = old->rib, c.xi = old->xi,
-      c.point = old->point, c.arm = old->arm, c.overlap = old->overlap;
+      c.point = old->point, c.arm = old->arm, c.overlap = old->overlap, c.shared = old->shared;
   }
 }
 
@@ -211,6 +219,7 @@ const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
       if (group.rib < 0 || p.overlap > group.nearest.overlap)
         group.nearest = p, group.rib = candidate_ribs_[k];
     }
+    c.shared = std::clamp(group.nearest.overlap, 0., c.shared);
     if (group.nearest.overlap > 0)
       touching_.push_back(group);
     else if (c.overlap > 0)
@@ -241,7 +250,8 @@ double RibContacts::elastic_energy_of(const std::vector<bool>& clumps) const
 }
 
 // Where two lines cross, their solids share the junction. A sphere on the shared part touches one
-// body, not two: the contact with less overlap is dropped and hands its history to the other.
+// body, not two: the contact with less overlap is left to the other, with its history if that one
+// did not touch before, and starts again from zero where they part.
 void RibContacts::merge_at_junctions(const std::vector<Rib>& ribs, ContactEnergy& energy)
 {
   for (std::size_t m = 0; m < touching_.size(); ++m)
@@ -255,10 +265,13 @@ void RibContacts::merge_at_junctions(const std::vector<Rib>& ribs, ContactEnergy
         continue;
       }
       if (b.nearest.overlap > a.nearest.overlap) std::swap(a, b);
-      if (a.contact->overlap <= 0)
+      if (a.contact->overlap <= 0) {
         a.contact->history = b.contact->history;
-      else if (b.contact->overlap > 0) // both touched before they became one: what b stored is lost
+        a.contact->shared = 0;
+      } else if (b.contact->overlap >
+                 0) // both touched before they became one: what b stored is lost
         energy.damping += elastic_energy(*b.contact);
+      b.contact->shared = b.nearest.overlap;
       b.contact->history = ContactHistory();
       b.contact->force.setZero();
       b.contact->overlap = 0;
@@ -270,7 +283,11 @@ Vector3 RibContacts::relative_velocity(const RibContact& c, const Clumps& clumps
                                        const Rib& rib) const
 {
   const double n1 = 1 - c.xi, n2 = c.xi;
-  const Vector3 rib_spin = n1 * rib.w[0] + n2 * rib.w[1];
+  const Vector3 chord = rib.x[1] - rib.x[0];
+  // The rod turns with its chord, and about it with its sections.
+  const Vector3 rib_spin =
+      (chord.cross(rib.v[1] - rib.v[0]) + chord * chord.dot(n1 * rib.w[0] + n2 * rib.w[1])) /
+      chord.squaredNorm();
   const Vector3 clump_arm = c.point - clumps.position[c.i];
   return clumps.drift_velocity[c.i] + clumps.drift_spin[c.i].cross(clump_arm) -
          (n1 * rib.v[0] + n2 * rib.v[1] + rib_spin.cross(c.arm));
@@ -293,7 +310,8 @@ void RibContacts::touch(const Group& group, const Clumps& clumps, const std::vec
 {
   RibContact& c = *group.contact;
   const Rib& rib = ribs[group.rib];
-  const RibProximity& p = group.nearest;
+  RibProximity p = group.nearest;
+  p.overlap -= c.shared;
   const double n1 = 1 - p.xi, n2 = p.xi;
 
   c.rib = group.rib;
@@ -311,6 +329,16 @@ void RibContacts::touch(const Group& group, const Clumps& clumps, const std::vec
                                  relative_velocity(c, clumps, rib), time_step, c.history, energy);
   force[c.i] += c.force;
   torque[c.i] += (c.point - clumps.position[c.i]).cross(c.force);
-  wrenches_.push_back({group.rib, p.xi, -c.force, -c.arm.cross(c.force)});
+  RibWrench wrench{group.rib, p.xi, -c.force, -c.arm.cross(c.force)};
+  if (!p.lean.isZero(0)) {
+    // Acts at the sphere's centre, on which the overlap depends.
+    const Vector3 lean = contact_.normal_stiffness * p.overlap * p.lean;
+    const Vector3 centre = p.core + p.distance * p.normal;
+    force[c.i] += lean;
+    torque[c.i] += (centre - clumps.position[c.i]).cross(lean);
+    wrench.force -= lean;
+    wrench.moment -= (centre - p.centre).cross(lean);
+  }
+  wrenches_.push_back(wrench);
 }
 } // namespace interlock::dem

@@ -24,7 +24,9 @@ struct Rib {
   Vector3 width_axis[2]; // of the section at the ends, unit, about normal to the centre line
 };
 
-// What a stone does to a rib.
+// What a stone does to a rib. Dual to the motion of the rod that contacts see: the velocity of the
+// centre line is linear between the ends, the rod turns with its chord, and about the chord with
+// the linear share of its sections' spins.
 struct RibWrench {
   int rib = 0;
   double xi = 0;  // place along the rod, 0 at end 1, 1 at end 2
@@ -40,8 +42,11 @@ struct RibContact {
   Vector3 force = Vector3::Zero(); // on the clump, zero when not touching [N]
   Vector3 point = Vector3::Zero(); // mid-overlap, world [m]
   Vector3 arm = Vector3::Zero();   // from the centre line to the point [m]
-  double overlap = 0;              // [m]
-  int rib = -1;                    // touched last
+  double overlap = 0;              // that makes force [m]
+  // Overlap that makes no force [m]: what the sphere had when this contact was left to another line
+  // at a junction. It shrinks with the overlap, so that no energy appears when the lines part.
+  double shared = 0;
+  int rib = -1; // touched last
   double xi = 0;
 };
 
@@ -53,6 +58,9 @@ struct RibProximity {
   Vector3 core;    // nearest point of the core, world [m]
   Vector3 centre;  // nearest point of the centre line, world [m]
   Vector3 normal;  // unit, from the rib to the sphere
+  // Where the section turns along the rod, the overlap changes along it too: minus its gradient by
+  // the sphere's centre is normal + lean.
+  Vector3 lean;
 };
 RibProximity rib_proximity(const Rib& rib, const Vector3& sphere_centre, double sphere_radius);
 

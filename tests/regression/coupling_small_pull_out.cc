@@ -37,6 +37,7 @@ PullOutParameters small_case()
   p.geogrid.placement = "not flattened";
   p.geogrid.apertures_along = p.geogrid.apertures_across = 2;
   p.geogrid.pitch_along = p.geogrid.pitch_across = 0.065;
+  p.geogrid.overhang = 5e-3;
   p.geogrid.rib_width = 5e-3;
   p.geogrid.rib_thickness = 2.5e-3;
   p.geogrid.edge_rounding = 5e-4;

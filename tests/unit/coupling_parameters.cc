@@ -84,6 +84,7 @@ TEST_F(Entries, FillOneMemberEach)
       {"Contact/Tangential ratio", &p.contact.tangential_ratio},
       {"Contact/Damping ratio", &p.contact.damping_ratio},
       {"Contact/Geogrid damping ratio", &p.contact.geogrid_damping_ratio},
+      {"Geogrid/Overhang", &p.geogrid.overhang},
       {"Geogrid/Pitch along", &p.geogrid.pitch_along},
       {"Geogrid/Pitch across", &p.geogrid.pitch_across},
       {"Geogrid/Rib width", &p.geogrid.rib_width},

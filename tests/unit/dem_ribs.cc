@@ -166,3 +166,59 @@ TEST(Ribs, SharpEdgesAreMergedToo)
   ContactEnergy energy;
   EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
 }
+
+// Along a twisted rod the overlap changes although the distance from the axis does not. Fails when
+// the force on the stone is not the gradient of the energy in the contact.
+TEST(Ribs, ForceIsTheGradientOfTheEnergyOnATwistedRod)
+{
+  Rib r = rib({0, 0, 0}, {8e-3, 1e-3, 0}, 0);
+  const Vector3 along = (r.x[1] - r.x[0]).normalized();
+  for (int end : {0, 1})
+    r.width_axis[end] = Eigen::AngleAxisd((end - 0.4) * 0.3, along) * r.width_axis[end];
+  for (const Vector3& x : {Vector3(4e-3, 2.2e-3, 5.9e-3), Vector3(3e-3, -7.1e-3, 0.3e-3),
+                           Vector3(5e-3, 5.5e-3, -4e-3)}) {
+    const RibProximity p = rib_proximity(r, x, 5e-3);
+    for (int c = 0; c < 3; ++c) {
+      const double step = 1e-7;
+      const Vector3 shift = step * Vector3::Unit(c);
+      const double slope =
+          (rib_proximity(r, x + shift, 5e-3).overlap - rib_proximity(r, x - shift, 5e-3).overlap) /
+          (2 * step);
+      EXPECT_NEAR(p.normal[c] + p.lean[c], -slope, 1e-7) << x.transpose();
+    }
+    EXPECT_GT(p.lean.norm(), 1e-4);
+  }
+}
+
+// A ball dragged to and fro over the rim of a junction, where one contact becomes two and two
+// become one. Fails when a contact comes to life with energy that no work has put in.
+TEST(Ribs, NoEnergyAppearsWhereTheLinesOfAJunctionPart)
+{
+  Clumps clumps({ball(5e-3)});
+  const double height = 1.25e-3 + 5e-3 - 80e-6, step = 5e-7;
+  clumps.add(0, 2650, {2.3e-3, 2.3e-3, height}, Quaternion::Identity());
+  const std::vector<Rib> ribs = {rib({-0.03, 0, 0}, {0.03, 0, 0}, 0),
+                                 rib({0, -0.03, 0}, {0, 0.03, 0}, 1)};
+  RibContacts contacts(elastic(5.65e7));
+  double work = 0, stored = 0;
+  Vector3 last = Vector3::Zero();
+  std::size_t most = 0;
+  ContactEnergy energy;
+  for (int k = 0; k < 12000; ++k) {
+    const double a = 2.5e-3 - 0.2e-3 * std::cos(2 * M_PI * k / 4000);
+    const Vector3 move = Vector3(a, a, height) - clumps.position[0];
+    clumps.position[0] += move;
+    clumps.velocity[0] = clumps.drift_velocity[0] = move / step;
+    contacts.update_list(clumps, ribs, step);
+    std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+    most = std::max(most, contacts.evaluate(clumps, ribs, step, force, torque, energy).size());
+    if (k == 0)
+      stored = energy.elastic;
+    else
+      work += 0.5 * (force[0] + last).dot(move); // on the ball
+    last = force[0];
+  }
+  EXPECT_EQ(most, 2u);
+  EXPECT_NEAR(work + energy.elastic - stored + energy.damping, 0, 1e-3 * stored);
+  EXPECT_LT(energy.damping, stored);
+}
