@@ -105,8 +105,9 @@ void run(const RunArguments& arguments)
     display.message("warning: the figures could not be drawn; \"interlock report " +
                     folder.string() + "\" tries again.");
   if (!summary.ledger_closes)
-    throw std::runtime_error("energy was made or lost, see the warnings. What is in " +
-                             folder.string() + " is for finding out why.");
+    throw std::runtime_error(
+        "a tenth of the work or more was made or lost, see the warnings. What is in " +
+        folder.string() + " is for finding out why.");
 }
 } // namespace
 

@@ -33,7 +33,7 @@ struct Summary {
   nlohmann::ordered_json energy;     // every ledger entry [J], and relative_error [-]
   nlohmann::ordered_json results;    // by experiment; names carry their unit: peak_force_N
   std::vector<std::string> warnings; // full sentences
-  bool ledger_closes = true;         // false: energy was made or lost, the results are wrong
+  bool ledger_closes = true;         // false: a tenth of the work or more was made or lost
   std::uint64_t state_hash = 0;      // of all positions and velocities at the end
 };
 
