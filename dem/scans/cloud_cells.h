@@ -22,10 +22,20 @@ namespace interlock::dem
 // stones with random points 6 % at 500, 2 % at 1000, 1.5 % at 2000, 0.3 % at 5000; noise of a tenth
 // of the spacing and nine degrees in the normals adds 1.5 %. Where points are missing the sums lack
 // that piece of the surface, and the closure says how much of it.
+//
+// Noise along the normals leaves the surface closed but makes it rough, and so the volume too
+// large. For a point x with normal n and a neighbour x', n', the height (x' - x).(n + n') / 2 is
+// zero to third order on any smooth surface; its root mean square over the six nearest neighbours
+// on the same face, divided by sqrt 2, is the scatter. It sees all of the noise in the points when
+// the normals were measured or smoothed, and only a part of it when they were fitted to the noisy
+// points themselves.
 struct CloudProperties {
   MassProperties body;         // of unit density; volume is negative if normals point inwards
   double area = 0;             // of the surface [m2]
   double closure = 0;          // |sum a n| / sum a [-]
+  double spacing = 0;          // mean distance of the neighbours that the scatter is taken from [m]
+  double scatter = 0;          // of the points along their normals [m]
+  double volume_excess = 0;    // by which the scatter makes the volume too large, about [-]
   int disagreeing_normals = 0; // points whose normal is against most of their neighbours'
 };
 CloudProperties cloud_properties(const PointCloud& cloud);
