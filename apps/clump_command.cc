@@ -2,16 +2,13 @@
 
 #include "apps/clump_files.h"
 #include "apps/clump_table.h"
+#include "apps/clump_writing.h"
 #include "apps/interruption.h"
 #include "apps/octahedron_command.h"
 #include "apps/seed_option.h"
-#include "dem/atomic_files.h"
-#include "dem/export/member_volumes.h"
 #include "dem/input_error.h"
 #include "dem/mass_properties.h"
 #include "dem/scans/cloud_cells.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -137,93 +134,6 @@ ClumpResult make_clump(const StoneFiles& files, const Options& options,
   return result;
 }
 
-// The clump file, and those for other codes.
-std::vector<dem::FileText> clump_texts(const StoneFiles& files, const ClumpResult& result)
-{
-  std::vector<dem::FileText> texts = {{files.clump, dem::clump_shape_text(result.shape)}};
-  for (const ExportFile& file : files.exports)
-    for (dem::FileText& text :
-         dem::clump_export_files(file.path, result.shape, file.format, result.density))
-      texts.push_back(std::move(text));
-  return texts;
-}
-
-void write_files(const std::vector<dem::FileText>& texts)
-{
-  std::error_code error;
-  const fs::path folder = fs::absolute(texts.front().path).parent_path();
-  fs::create_directories(folder, error); // a folder that is not there is said below
-  if (const auto failed =
-          fs::is_directory(folder, error) ? dem::write_atomically(texts) : texts.front().path)
-    throw InputError("The file '" + failed->string() + "' cannot be written.");
-}
-
-// A stone from which no clump could be made.
-struct Refusal {
-  std::string stone, sentence;
-};
-
-void write_report(const std::string& path, const std::vector<ClumpResult>& results,
-                  const std::vector<Refusal>& refusals)
-{
-  nlohmann::ordered_json report;
-  const dem::ClumpParameters& p = results.front().parameters;
-  report["version"] = INTERLOCK_VERSION;
-  report["parameters"] = {
-      {"d_min_m", p.d_min},
-      {"r_min_m", p.r_min},
-      {"p_max_percent", p.p_max},
-      {"max_spheres", p.max_spheres},
-      {"target_volume_error", p.target_volume_error},
-      {"target_inertia_error", p.target_inertia_error},
-      {"touching_radius", p.touching_radius == dem::TouchingRadius::surface ? "surface" : "nodes"},
-      {"seed", p.seed}};
-  for (const ClumpResult& result : results) report["clumps"].push_back(clump_json(result));
-  for (const Refusal& refusal : refusals)
-    report["refused"].push_back({{"file", refusal.stone}, {"reason", refusal.sentence}});
-  // Names of files may hold bytes that are no UTF-8.
-  write_files(
-      {{path, report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"}});
-  std::printf("Report: '%s'\n", path.c_str());
-}
-
-// What LAMMPS makes of the clump where it sums the spheres.
-std::string sums_remark(const ClumpResult& result)
-{
-  const double deviation = dem::sum_deviation(result.shape, dem::member_volumes(result.shape));
-  char text[160] = "the masses of its spheres sum to the stone's mass, centre and inertia";
-  if (deviation >= dem::allowed_sum_deviation)
-    std::snprintf(text, sizeof(text),
-                  "the masses of its spheres sum to the stone's mass, but their moments are off by "
-                  "up to %.2g %%: insert with fix deposit or fix pour",
-                  100 * deviation);
-  return text;
-}
-
-void print_exports(const StoneFiles& files, const ClumpResult& result)
-{
-  for (const ExportFile& file : files.exports) {
-    std::printf("For %s: '%s'\n", file.format_name.c_str(), file.path.c_str());
-    if (file.format == dem::ClumpFormat::lammps)
-      std::printf("  %s.\n", sums_remark(result).c_str());
-  }
-}
-
-// In short, for many stones: only what differs from the name of the stone, or is off.
-void print_remarkable_exports(const StoneFiles& files, const ClumpResult& result)
-{
-  for (const ExportFile& file : files.exports) {
-    const std::string written = fs::path(file.path).filename().string();
-    if (written != files.name + dem::clump_extension(file.format))
-      std::printf("  '%s': written for %s as '%s'.\n", files.name.c_str(), file.format_name.c_str(),
-                  written.c_str());
-    if (file.format == dem::ClumpFormat::lammps &&
-        dem::sum_deviation(result.shape, dem::member_volumes(result.shape)) >=
-            dem::allowed_sum_deviation)
-      std::printf("  '%s': %s.\n", files.name.c_str(), sums_remark(result).c_str());
-  }
-}
-
 void make_one(const ClumpFiles& files, const Options& options,
               const dem::ClumpParameters& parameters)
 {
@@ -235,8 +145,9 @@ void make_one(const ClumpFiles& files, const Options& options,
   std::printf("%s", missed_targets(result).c_str());
   write_files(texts);
   std::printf("Clump: '%s'\n", stone.clump.c_str());
-  print_exports(stone, result);
+  std::printf("%s", export_lines(stone, result).c_str());
   write_report(files.report, {result}, {});
+  std::printf("Report: '%s'\n", files.report.c_str());
 }
 
 // Ends with one sentence a refused stone.
@@ -294,11 +205,12 @@ void make_many(const ClumpFiles& files, const Options& options,
   print_clump_table_means(clumps.results);
   for (std::size_t i = 0; i < clumps.results.size(); ++i) {
     const ClumpResult& result = clumps.results[i];
-    std::printf("%s%s", remarks(result).c_str(), missed_targets(result).c_str());
-    print_remarkable_exports(*clumps.files[i], result);
+    std::printf("%s%s%s", remarks(result).c_str(), missed_targets(result).c_str(),
+                export_remarks(*clumps.files[i], result).c_str());
   }
   std::printf("%zu clumps in '%s'\n", clumps.results.size(), files.folder.c_str());
   write_report(files.report, clumps.results, clumps.refusals);
+  std::printf("Report: '%s'\n", files.report.c_str());
   throw_refusals(clumps.refusals, files.stones.size());
 }
 

@@ -1,9 +1,14 @@
 // Files that belong together appear together. Fails when a write that cannot be finished changes
 // an old file, leaves a temporary one, or lets a part of a new folder be seen.
 #include "dem/atomic_files.h"
+#include "dem/input_error.h"
+#include "dem/stones/synthetic_stone.h"
 #include "tests/temporary_folder.h"
 
+#include <csignal>
 #include <sstream>
+
+#include <sys/resource.h>
 
 namespace
 {
@@ -57,5 +62,24 @@ TEST_F(AtomicFiles, OneFileNeedsItsFolder)
   EXPECT_FALSE(write_atomically(folder, "a"));
   EXPECT_TRUE(write_atomically(folder / "a.txt", "a"));
   EXPECT_EQ(number_of_files(), 1);
+}
+
+// A limit of the size of files stands for a full disk.
+TEST_F(AtomicFiles, FullDiskLeavesNothing)
+{
+  const auto mesh = interlock::dem::make_stones(1, 1)[0];
+  rlimit old;
+  getrlimit(RLIMIT_FSIZE, &old);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{1000, old.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const auto failed =
+      write_atomically({{folder / "a.txt", "a"}, {folder / "d/b.txt", std::string(5000, 'b')}});
+  EXPECT_THROW(interlock::dem::write_stl((folder / "a.stl").string(), mesh), interlock::InputError);
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_TRUE(failed);
+  EXPECT_EQ(*failed, folder / "d/b.txt");
+  EXPECT_EQ(number_of_files(), 0);
 }
 } // namespace
