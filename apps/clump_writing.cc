@@ -71,7 +71,9 @@ void write_report(const std::string& path, const std::vector<ClumpResult>& resul
   for (const ClumpResult& result : results) report["clumps"].push_back(clump_json(result));
   for (const Refusal& refusal : refusals)
     report["refused"].push_back({{"file", refusal.stone}, {"reason", refusal.sentence}});
-  write_files({{path, report.dump(2) + "\n"}});
+  // Names of files may hold bytes that are no UTF-8.
+  write_files(
+      {{path, report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"}});
 }
 
 std::string export_lines(const StoneFiles& files, const ClumpResult& result)

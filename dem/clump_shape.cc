@@ -77,7 +77,9 @@ std::string clump_shape_text(const ClumpShape& shape)
   // same.
   std::string text = "{\n";
   const auto add = [&](const char* name, const json& value) {
-    text += json(name).dump() + ": " + value.dump() + ",\n";
+    // Names of files may hold bytes that are no UTF-8.
+    text += json(name).dump() + ": " + value.dump(-1, ' ', false, json::error_handler_t::replace) +
+            ",\n";
   };
   const Vector3& inertia = shape.unit_inertia;
   add("format", format);

@@ -150,11 +150,12 @@ TEST_F(ClumpProgram, FormatLeavesTheStone)
 TEST_F(ClumpProgram, GoesOnAfterABadStone)
 {
   std::ofstream(work / "a/bad.stl") << "no mesh";
+  fs::rename(work / "a/x.stl", work / "a/x\xfc.stl"); // no UTF-8
   run("$I clump a" + spheres + "-o out");
   EXPECT_EQ(code, 2);
   EXPECT_NE(err.find("'a/bad.stl'"), std::string::npos) << err;
   EXPECT_NE(err.find("interlock: error: 1 of 3 stones was refused.\n"), std::string::npos) << err;
-  for (const char* name : {"scan.clump.json", "x.clump.json", "clumps.report.json"})
+  for (const char* name : {"scan.clump.json", "x\xfc.clump.json", "clumps.report.json"})
     EXPECT_TRUE(fs::exists(work / "out" / name)) << name;
   EXPECT_NE(text_of(work / "out/clumps.report.json").find("\"refused\""), std::string::npos);
 }
