@@ -28,6 +28,9 @@ const char* stop_text(dem::Stop stop)
   return "all nodes drawn";
 }
 
+// Noise of a cloud that is worth a sentence [-].
+constexpr double noted_volume_excess = 0.01;
+
 double used(const dem::ClumpReport& report)
 {
   return 100. * report.nodes_used / report.nodes;
@@ -47,8 +50,11 @@ void print_clump(const ClumpResult& result)
     std::printf("Stone '%s': %zu nodes, %zu facets\n", result.file.c_str(), result.nodes,
                 result.facets);
   else
-    std::printf("Stone '%s': cloud of %zu points, gap in its surface %.2f %%\n",
-                result.file.c_str(), result.nodes, 100 * result.cloud.closure);
+    std::printf(
+        "Stone '%s': cloud of %zu points, gap in its surface %.2f %%, scatter %.1f %% of the "
+        "spacing\n",
+        result.file.c_str(), result.nodes, 100 * result.cloud.closure,
+        100 * result.cloud.scatter / result.cloud.spacing);
   std::printf("%s", remarks(result).c_str());
   std::printf("  size %.2f x %.2f x %.2f mm, sieve size %.2f mm, equivalent diameter %.2f mm\n",
               1e3 * size.longest, 1e3 * size.intermediate, 1e3 * size.shortest, 1e3 * size.sieve,
@@ -76,8 +82,6 @@ void print_clump(const ClumpResult& result)
                 int(result.parameters.mass_scheme) == k ? " *" : "  ", scheme_names[k],
                 100 * report.inertia_error[k], report.axis_error[k], 1e3 * report.centre_offset[k]);
   std::printf("  * used; the mass is that of the stone under each of them\n");
-  if (!report.axes_are_distinct)
-    std::printf("  Two moments of the stone differ by less than 5 %%: its axes mean little.\n");
 }
 
 std::string remarks(const ClumpResult& result)
@@ -103,7 +107,20 @@ std::string remarks(const ClumpResult& result)
       number(cloud.duplicates_dropped) + " points that were there twice were dropped");
   add(cloud.disagreeing_normals > 0,
       number(cloud.disagreeing_normals) + " normals disagree with those of most neighbours");
+  if (cloud.volume_excess > noted_volume_excess) {
+    char sentence[250];
+    std::snprintf(sentence, sizeof(sentence),
+                  "its points scatter by %.3g mm along their normals, %.1f %% of their spacing, "
+                  "which makes the volume too large by about %.1f %% (more if the normals were "
+                  "fitted to these points)",
+                  1e3 * cloud.scatter, 100 * cloud.scatter / cloud.spacing,
+                  100 * cloud.volume_excess);
+    add(true, sentence);
+  }
   add(mesh.flipped || cloud.flipped, "turned inside out, as asked");
+  add(!result.report.axes_are_distinct,
+      "two principal moments differ by less than 5 %, so that its axes, and with them sieve size, "
+      "flatness and elongation, depend on how the file is turned");
   return text;
 }
 
@@ -202,6 +219,10 @@ nlohmann::ordered_json clump_json(const ClumpResult& result)
       {"mass_properties", scheme_names[static_cast<int>(result.parameters.mass_scheme)]},
       {"unit_inertia_m5",
        {result.shape.unit_inertia[0], result.shape.unit_inertia[1], result.shape.unit_inertia[2]}},
+      {"body_frame",
+       {{"origin_m", {report.origin[0], report.origin[1], report.origin[2]}},
+        {"rotation_w_x_y_z",
+         {report.rotation.w(), report.rotation.x(), report.rotation.y(), report.rotation.z()}}}},
       {"axes_are_distinct", report.axes_are_distinct}};
   const dem::MeshDiagnosis& mesh = result.mesh;
   const dem::PointCloudDiagnosis& cloud = result.cloud;
@@ -219,6 +240,10 @@ nlohmann::ordered_json clump_json(const ClumpResult& result)
                           {"duplicates_dropped", cloud.duplicates_dropped},
                           {"disagreeing_normals", cloud.disagreeing_normals},
                           {"closure", cloud.closure},
+                          {"spacing_m", cloud.spacing},
+                          {"scatter_m", cloud.scatter},
+                          {"scatter_over_spacing", cloud.scatter / cloud.spacing},
+                          {"volume_excess_from_scatter", cloud.volume_excess},
                           {"flipped", cloud.flipped}};
   if (result.density > 0) {
     entry["density_kg_per_m3"] = result.density;

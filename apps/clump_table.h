@@ -29,7 +29,8 @@ struct ClumpResult {
 // One stone on a page.
 void print_clump(const ClumpResult& result);
 
-// What was mended or left as it is in the file, one sentence each; empty for a sound file.
+// What was mended or left as it is in the file, and what its form or its noise makes of the
+// numbers, one sentence each; empty for a sound file.
 std::string remarks(const ClumpResult& result);
 
 // Many stones, one a row: head, rows, means.

@@ -61,6 +61,27 @@ void check_command(const CLI::App& program, const int argc, char** argv)
                               ".");
 }
 
+// One sentence an option that its command does not know, with the name that was probably meant.
+std::string unknown_options(const CLI::App& program)
+{
+  std::string text;
+  for (const CLI::App* command : program.get_subcommands()) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    for (const std::string& word : command->remaining()) {
+      const std::string name = word.substr(0, word.find('='));
+      if (name.size() < 2 || name.front() != '-') continue;
+      const std::string nearest = apps::nearest_name(name, known);
+      text += "There is no option \"" + name + "\" of interlock " + command->get_name() + "; " +
+              (nearest.empty() ? "\"interlock " + command->get_name() + " --help\" lists them"
+                               : "the nearest known one is \"" + nearest + "\"") +
+              ".\n";
+    }
+  }
+  return text;
+}
+
 int run_program(const int argc, char** argv)
 {
   CLI::App program(
@@ -72,7 +93,9 @@ int run_program(const int argc, char** argv)
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error); // help, version
-    print_errors(std::string(error.what()) + " (interlock --help)");
+    // A misspelt option may be why another one is missing.
+    const std::string unknown = unknown_options(program);
+    print_errors(unknown.empty() ? std::string(error.what()) + " (interlock --help)" : unknown);
     return bad_input;
   } catch (const interlock::InputError& error) {
     print_errors(error.what());

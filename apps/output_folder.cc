@@ -2,6 +2,8 @@
 
 #include "dem/input_error.h"
 
+#include <fstream>
+
 namespace interlock::apps
 {
 namespace fs = std::filesystem;
@@ -31,5 +33,22 @@ void create_output_folder(const fs::path& folder)
   if (error)
     throw InputError("The output folder \"" + folder.string() +
                      "\" cannot be made: " + error.message() + ".");
+}
+
+void check_writable(const std::string& what, const fs::path& path)
+{
+  const auto refuse = [&](const std::string& reason) {
+    throw InputError(what + " '" + path.string() + "' cannot be written: " + reason + ".");
+  };
+  std::error_code error;
+  const fs::path folder = fs::absolute(path).parent_path(), probe = path.string() + ".check";
+  fs::path there = folder; // the nearest folder that exists
+  while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, error)) refuse("'" + there.string() + "' is a file");
+  fs::create_directories(folder, error);
+  const bool good = bool(std::ofstream(probe));
+  fs::remove(probe, error);
+  for (fs::path made = folder; made != there; made = made.parent_path()) fs::remove(made, error);
+  if (!good) refuse("no file can be made in '" + there.string() + "'");
 }
 } // namespace interlock::apps

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace interlock::apps
 {
@@ -13,4 +14,8 @@ void check_output_folder(const std::filesystem::path& folder);
 
 // Creates the folder and those above it. Throws InputError when the disk does not allow it.
 void create_output_folder(const std::filesystem::path& folder);
+
+// Throws InputError unless a file can be written at `path`: makes the folders above it and a file
+// beside it, and removes them again. `what` begins the sentence ("The report").
+void check_writable(const std::string& what, const std::filesystem::path& path);
 } // namespace interlock::apps

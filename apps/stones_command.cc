@@ -1,5 +1,9 @@
 #include "apps/stones_command.h"
 
+#include "apps/clump_files.h"
+#include "apps/interruption.h"
+#include "apps/output_folder.h"
+#include "apps/seed_option.h"
 #include "dem/input_error.h"
 #include "dem/stones/stone_form.h"
 #include "dem/stones/synthetic_stone.h"
@@ -9,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 namespace interlock::apps
 {
@@ -29,6 +34,27 @@ void create_folder(const std::string& folder)
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder, error))
     throw InputError("The folder '" + folder + "' for the stones cannot be created.");
+}
+
+std::string file_name(std::size_t stone)
+{
+  char name[32];
+  std::snprintf(name, sizeof(name), "stone_%03zu.stl", stone + 1);
+  return name;
+}
+
+// Stones of an earlier batch would be read with these ones.
+void print_other_stones(const std::string& folder, std::size_t count)
+{
+  std::size_t others = 0;
+  std::set<std::string> written;
+  for (std::size_t i = 0; i < count; ++i) written.insert(file_name(i));
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    others += is_named_as_stone(entry.path().string()) &&
+              written.count(entry.path().filename().string()) == 0;
+  if (others > 0)
+    std::printf("Note: '%s' holds %zu other stone file%s too.\n", folder.c_str(), others,
+                others == 1 ? "" : "s");
 }
 
 // Mean and standard deviation of what the stones have in common.
@@ -64,7 +90,9 @@ void print_summary(const std::vector<dem::StoneForm>& forms)
 
 void make(const Options& options)
 {
+  check_writable("The stone", std::filesystem::path(options.folder) / file_name(0));
   const auto stones = dem::make_stones(options.count, options.seed, options.style);
+  catch_interruption(); // from here on there are files
   create_folder(options.folder);
   std::printf("%-14s %6s %7s %7s %8s %9s %10s %10s %9s %10s\n", "stone", "nodes", "sieve", "long",
               "mass", "flatness", "elongation", "sphericity", "convexity", "angularity");
@@ -73,11 +101,11 @@ void make(const Options& options)
   double mass = 0, long_mass = 0, widest_spacing = 0;
   std::vector<dem::StoneForm> forms;
   for (std::size_t i = 0; i < stones.size(); ++i) {
-    char name[32];
-    std::snprintf(name, sizeof(name), "stone_%03zu.stl", i + 1);
+    throw_if_interrupted();
+    const std::string name = file_name(i);
     dem::write_stl((std::filesystem::path(options.folder) / name).string(), stones[i]);
     const dem::StoneForm form = dem::stone_form(stones[i]);
-    std::printf("%-14s %6zu %7.1f %7.1f %8.1f %9.2f %10.2f %10.3f %9.3f %10.0f\n", name,
+    std::printf("%-14s %6zu %7.1f %7.1f %8.1f %9.2f %10.2f %10.3f %9.3f %10.0f\n", name.c_str(),
                 stones[i].vertices.size(), 1e3 * form.size.sieve, 1e3 * form.size.longest,
                 1e3 * density * form.volume, form.size.flatness(), form.size.elongation(),
                 form.size.sphericity, form.convexity, form.angularity);
@@ -93,6 +121,7 @@ void make(const Options& options)
               "docs/theory/stones.md.\n",
               stones.size(), options.folder.c_str(), mass, density, 100 * long_mass / mass,
               100 * widest_spacing);
+  print_other_stones(options.folder, stones.size());
 }
 
 void add_style_options(CLI::App& command, dem::StoneStyle& style)
@@ -125,7 +154,7 @@ void add_stones_command(CLI::App& app)
   CLI::App* command = app.add_subcommand(
       "stones", "Write synthetic angular ballast stones with the sizes of railway ballast");
   command->add_option("--count", options->count, "Number of stones")->required();
-  command->add_option("--seed", options->seed, "Seed of the forms")->capture_default_str();
+  add_seed_option(*command, options->seed, "Seed of the forms");
   command->add_option("-o,--output", options->folder, "Folder for stone_001.stl ...")->required();
   add_style_options(*command, options->style);
   command->callback([options] { make(*options); });

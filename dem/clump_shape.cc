@@ -1,5 +1,6 @@
 #include "dem/clump_shape.h"
 
+#include "dem/atomic_files.h"
 #include "dem/input_error.h"
 
 #include <nlohmann/json.hpp>
@@ -70,13 +71,15 @@ double ClumpShape::bounding_radius() const
   return radius;
 }
 
-void write_clump_shape(const std::string& path, const ClumpShape& shape)
+std::string clump_shape_text(const ClumpShape& shape)
 {
   // One line a sphere, which people can read; json prints the shortest digits that read back the
   // same.
   std::string text = "{\n";
   const auto add = [&](const char* name, const json& value) {
-    text += json(name).dump() + ": " + value.dump() + ",\n";
+    // Names of files may hold bytes that are no UTF-8.
+    text += json(name).dump() + ": " + value.dump(-1, ' ', false, json::error_handler_t::replace) +
+            ",\n";
   };
   const Vector3& inertia = shape.unit_inertia;
   add("format", format);
@@ -90,14 +93,12 @@ void write_clump_shape(const std::string& path, const ClumpShape& shape)
     separator = ",\n";
   }
   text += "\n]}\n";
+  return text;
+}
 
-  const std::string temporary = path + ".tmp";
-  std::ofstream file(temporary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (!file || error) refuse(path, "cannot be written.");
+void write_clump_shape(const std::string& path, const ClumpShape& shape)
+{
+  if (!write_atomically(path, clump_shape_text(shape))) refuse(path, "cannot be written.");
 }
 
 ClumpShape read_clump_shape(const std::string& path)

@@ -27,7 +27,9 @@ struct ClumpShape {
 };
 
 // One clump as JSON (`*.clump.json`), SI units, read back to the same digits. Writing goes to a
-// temporary name first, then renames. Reading throws InputError (file, entry, value).
+// temporary name first, then renames (atomic_files.h). Reading throws InputError (file, entry,
+// value).
+std::string clump_shape_text(const ClumpShape& shape);
 void write_clump_shape(const std::string& path, const ClumpShape& shape);
 ClumpShape read_clump_shape(const std::string& path);
 } // namespace interlock::dem

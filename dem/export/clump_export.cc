@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 namespace interlock::dem
 {
@@ -36,19 +35,6 @@ const Format& entry(const ClumpFormat id)
     if (format.id == id) return format;
   throw InputError("The format of the clump is not known.");
 }
-
-void write(const std::string& path, const std::string& text)
-{
-  const std::string temporary = path + ".tmp";
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) fs::rename(temporary, path, error);
-  if (file && !error) return;
-  fs::remove(temporary, error);
-  throw InputError("Clump file '" + path + "' cannot be written.");
-}
 } // namespace
 
 std::vector<std::string> clump_format_names()
@@ -73,31 +59,53 @@ std::string clump_extension(const ClumpFormat format)
   return entry(format).extension;
 }
 
-std::string clump_export_path(const std::string& clump_file, const ClumpFormat format)
+std::string clump_stem(const std::string& clump_file)
 {
   const std::string ending = ".clump.json";
-  const bool json = clump_file.size() > ending.size() &&
-                    !clump_file.compare(clump_file.size() - ending.size(), ending.size(), ending);
-  const std::string stem = json ? clump_file.substr(0, clump_file.size() - ending.size())
-                                : fs::path(clump_file).replace_extension().string();
-  return stem + clump_extension(format);
+  const bool has_ending =
+      clump_file.size() > ending.size() &&
+      !clump_file.compare(clump_file.size() - ending.size(), ending.size(), ending);
+  return has_ending ? clump_file.substr(0, clump_file.size() - ending.size())
+                    : fs::path(clump_file).replace_extension().string();
 }
 
-void export_clump(const std::string& path, const ClumpShape& shape, const ClumpFormat format,
-                  const double density)
+std::string clump_export_path(const std::string& clump_file, const ClumpFormat format)
+{
+  const fs::path stem = clump_stem(clump_file);
+  const std::string name = stem.filename().string();
+  const bool keeps_name = format == ClumpFormat::csv || format == ClumpFormat::vtk;
+  return (stem.parent_path() / (keeps_name ? name : identifier(name))).string() +
+         clump_extension(format);
+}
+
+std::vector<std::string> clump_export_paths(const std::string& clump_file, const ClumpFormat format)
+{
+  const std::string path = clump_export_path(clump_file, format);
+  if (format == ClumpFormat::liggghts) return {path, path + ".in"};
+  return {path};
+}
+
+std::vector<FileText> clump_export_files(const std::string& path, const ClumpShape& shape,
+                                         const ClumpFormat format, const double density)
 {
   if (!(density > 0 && std::isfinite(density)))
     throw InputError("The density of the clump for '" + path + "' is " + digits(density) +
                      " kg/m3, but must be above 0.");
   if (shape.spheres.empty()) throw InputError("The clump for '" + path + "' has no sphere.");
   const ClumpExport clump{shape, density, fs::path(path).filename().string()};
-  for (const ExportedFile& file : entry(format).files(clump)) {
-    // Folders inside the export are made, the one that it goes to is not.
-    const fs::path parent = fs::absolute(path).parent_path();
-    std::error_code error; // write() says so when a folder is not there
-    if (fs::is_directory(parent, error))
-      fs::create_directories(fs::path(path + file.suffix).parent_path(), error);
-    write(path + file.suffix, file.text);
-  }
+  std::vector<FileText> files;
+  for (const ExportedFile& file : entry(format).files(clump))
+    files.push_back({path + file.suffix, file.text});
+  return files;
+}
+
+void export_clump(const std::string& path, const ClumpShape& shape, const ClumpFormat format,
+                  const double density)
+{
+  const std::vector<FileText> files = clump_export_files(path, shape, format, density);
+  // Folders inside the export are made, the one that it goes to is not.
+  std::error_code error;
+  if (!fs::is_directory(fs::absolute(path).parent_path(), error) || write_atomically(files))
+    throw InputError("Clump file '" + path + "' cannot be written.");
 }
 } // namespace interlock::dem

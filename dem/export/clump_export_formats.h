@@ -6,7 +6,7 @@
 namespace interlock::dem
 {
 // Molecule file of LAMMPS (29 Sep 2021): mass, com and inertia for fix rigid/small with `mol`, and
-// member masses whose sums agree with them for everything else.
+// member masses for everything else, with what their sums miss at the head.
 ExportedFiles lammps_files(const ClumpExport& clump);
 
 // LIGGGHTS-PUBLIC 3.8: "x y z r" lines, and in ".in" the command

@@ -1,4 +1,7 @@
 #include "dem/export/clump_export_formats.h"
+#include "dem/export/member_volumes.h"
+
+#include <cstdio>
 
 namespace interlock::dem
 {
@@ -13,6 +16,19 @@ std::string section(const std::string& title, const ClumpExport& clump, const Va
     text += std::to_string(i + 1) + " " + value(i) + "\n";
   return text;
 }
+
+// What a code gets that sums the spheres instead of taking the stone's own values.
+std::vector<std::string> sums_text(const ClumpExport& clump, const std::string& id)
+{
+  const double deviation = sum_deviation(clump.shape, member_volumes(clump.shape));
+  if (deviation < allowed_sum_deviation)
+    return {"The masses of the spheres sum to the stone's mass, centre and inertia, so that",
+            "`create_atoms ... mol " + id + "` with fix rigid/small gives the stone too."};
+  char text[80];
+  std::snprintf(text, sizeof(text), "their moments are off by up to %.2g %%:", 100 * deviation);
+  return {"The masses of the spheres sum to the stone's mass, but",
+          text + std::string(" insert with fix deposit or fix pour,"), "not with create_atoms."};
+}
 } // namespace
 
 ExportedFiles lammps_files(const ClumpExport& clump)
@@ -21,16 +37,15 @@ ExportedFiles lammps_files(const ClumpExport& clump)
   // `disable` and `gravity` the weight acts at the spheres, with both at the centre of the body,
   // with `gravity` alone twice.
   const std::string id = identifier(clump.shape.name);
-  std::string text = comment_head(
-      clump, "#",
-      {"LAMMPS molecule file, units si, atom_style sphere:",
-       "  fix ids all property/atom mol ghost yes", "  molecule " + id + " " + clump.file_name,
-       "  fix g all gravity 9.81 vector 0 0 -1 disable",
-       "  fix stones all rigid/small molecule mol " + id + " reinit no gravity g",
-       "then insert with fix deposit or fix pour: ... mol " + id + " rigid stones.",
-       "The masses of the spheres sum to the stone's mass, centre and inertia as far as positive",
-       "masses can, so `create_atoms ... mol " + id +
-           "` with fix rigid/small gives the stone too."});
+  std::vector<std::string> usage = {
+      "LAMMPS molecule file, units si, atom_style sphere:",
+      "  fix ids all property/atom mol ghost yes",
+      "  molecule " + id + " " + clump.file_name,
+      "  fix g all gravity 9.81 vector 0 0 -1 disable",
+      "  fix stones all rigid/small molecule mol " + id + " reinit no gravity g",
+      "then insert with fix deposit or fix pour: ... mol " + id + " rigid stones."};
+  for (const std::string& line : sums_text(clump, id)) usage.push_back(line);
+  std::string text = comment_head(clump, "#", usage);
   const Vector3 inertia = clump.inertia();
   const std::vector<double> masses = clump.member_masses();
   const std::vector<Sphere>& spheres = clump.shape.spheres;

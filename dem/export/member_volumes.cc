@@ -1,5 +1,8 @@
 #include "dem/export/member_volumes.h"
 
+#include "dem/mass_properties.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace interlock::dem
@@ -75,5 +78,15 @@ std::vector<double> member_volumes(const ClumpShape& shape)
     }
   shares *= shape.volume;
   return {shares.data(), shares.data() + shares.size()};
+}
+
+double sum_deviation(const ClumpShape& shape, const std::vector<double>& volumes)
+{
+  const MassProperties sums = mass_properties(shape.spheres, volumes);
+  const Vector3 root = shape.unit_inertia.cwiseSqrt();
+  const Matrix3 inertia = shape.unit_inertia.asDiagonal();
+  const Matrix3 off = (sums.inertia - inertia).cwiseQuotient(root * root.transpose());
+  return std::max({std::abs(sums.volume / shape.volume - 1),
+                   sums.centre.norm() / shape.bounding_radius(), off.cwiseAbs().maxCoeff()});
 }
 } // namespace interlock::dem

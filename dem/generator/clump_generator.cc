@@ -13,9 +13,7 @@
 
 namespace interlock::dem
 {
-namespace
-{
-void check(const ClumpParameters& parameters)
+void check_parameters(const ClumpParameters& parameters)
 {
   const auto require = [](bool good, const char* name, double value, const char* range) {
     if (good) return;
@@ -40,6 +38,8 @@ void check(const ClumpParameters& parameters)
                      "'equal-mass': those of 'mesh' have no error.");
 }
 
+namespace
+{
 // A closed surface as the generator sees it.
 struct Surface {
   const std::vector<Vector3>& nodes;
@@ -90,9 +90,9 @@ std::vector<Sphere> grow_spheres(const Surface& surface, const ClumpParameters& 
   return spheres;
 }
 
-ClumpShape in_body_frame(const std::vector<Sphere>& spheres, const MassProperties& mass)
+ClumpShape in_body_frame(const std::vector<Sphere>& spheres, const MassProperties& mass,
+                         const PrincipalFrame& frame)
 {
-  const PrincipalFrame frame = principal_frame(mass);
   ClumpShape shape;
   shape.volume = mass.volume;
   shape.unit_inertia = frame.moments;
@@ -119,12 +119,15 @@ ClumpShape make_clump(const Surface& surface, const ClumpParameters& parameters,
          << " m; choose a smaller r_min.";
     throw InputError(text.str());
   }
+  const MassProperties mass = clump_mass_properties(surface.mass, spheres, parameters.mass_scheme);
+  const PrincipalFrame frame = principal_frame(mass);
   if (report) {
     *report = counts;
+    report->origin = mass.centre;
+    report->rotation = Quaternion(frame.axes);
     measure_errors(surface.nodes, surface.mass, spheres, *report);
   }
-  return in_body_frame(spheres,
-                       clump_mass_properties(surface.mass, spheres, parameters.mass_scheme));
+  return in_body_frame(spheres, mass, frame);
 }
 
 // The ball that touches the node p itself, among `nodes`.
@@ -141,7 +144,7 @@ std::function<Sphere(int, const Vector3&)> ball_among_nodes(const std::vector<Ve
 ClumpShape make_clump(const TriangleMesh& stone, const ClumpParameters& parameters,
                       ClumpReport* report)
 {
-  check(parameters);
+  check_parameters(parameters);
   Surface surface{stone.vertices, node_normals(stone), {}, mass_properties(stone)};
   if (parameters.touching_radius == TouchingRadius::nodes)
     surface.ball = ball_among_nodes(stone.vertices);
@@ -154,7 +157,7 @@ ClumpShape make_clump(const TriangleMesh& stone, const ClumpParameters& paramete
 ClumpShape make_clump(const PointCloud& stone, const MassProperties& body,
                       const ClumpParameters& parameters, ClumpReport* report)
 {
-  check(parameters);
+  check_parameters(parameters);
   if (parameters.touching_radius != TouchingRadius::nodes)
     throw InputError("A cloud of points has no facets: its touching radius must be 'nodes'.");
   return make_clump(Surface{stone.points, stone.normals, ball_among_nodes(stone.points), body},

@@ -28,6 +28,9 @@ struct ClumpParameters {
   double target_inertia_error = 0; // of the mass scheme, which must not be `mesh`: it has none
 };
 
+// Throws InputError when a parameter is out of range; make_clump does so too.
+void check_parameters(const ClumpParameters& parameters);
+
 // Draws the nodes of the closed, outward mesh `stone` in random order; skips a node nearer than
 // d_min to the surface of a kept sphere; grows the largest ball that touches the node from inside;
 // rejects it below r_min; stops when p_max per cent of the nodes have had a ball grown, kept or

@@ -30,6 +30,8 @@ constexpr int neighbours = 24;
 constexpr double other_side = -0.3;
 // And below which there is a sharp edge between the points.
 constexpr double beyond_edge = 0.8;
+// Nearest neighbours that tell the scatter: about as many as share an edge of the cell.
+constexpr int close_neighbours = 6;
 
 Point to_point(const Vector3& x)
 {
@@ -79,7 +81,12 @@ public:
            offset.norm() * (is_beyond_edge ? offset.norm() : along.norm()) / 2);
     }
     append_fan(x, first, second);
+    add_heights(point);
   }
+
+  // Mean distance of close neighbours, and scatter of the points along their normals [m].
+  double spacing() const { return pairs_ > 0 ? distances_ / pairs_ : 0; }
+  double scatter() const { return pairs_ > 0 ? std::sqrt(squared_heights_ / pairs_ / 2) : 0; }
 
   int disagreeing = 0;
   TriangleMesh fans;
@@ -98,6 +105,21 @@ private:
     if (2 * against > static_cast<int>(found_.size())) ++disagreeing;
   }
 
+  void add_heights(int point)
+  {
+    const Vector3 &x = cloud_.points[point], &n = cloud_.normals[point];
+    // The tree gives the neighbours in no order.
+    std::sort(found_.begin(), found_.end(), [&](int a, int b) {
+      return (cloud_.points[a] - x).squaredNorm() < (cloud_.points[b] - x).squaredNorm();
+    });
+    for (std::size_t k = 0; k < found_.size() && k < close_neighbours; ++k) {
+      const Vector3 offset = cloud_.points[found_[k]] - x, &other = cloud_.normals[found_[k]];
+      if (other.dot(n) < beyond_edge) continue;
+      const double height = offset.dot(n + other) / 2;
+      squared_heights_ += height * height, distances_ += offset.norm(), ++pairs_;
+    }
+  }
+
   void append_fan(const Vector3& x, const Vector3& first, const Vector3& second)
   {
     const int start = static_cast<int>(fans.vertices.size());
@@ -111,6 +133,8 @@ private:
   const Tree tree_;
   std::vector<int> found_;
   Polygon polygon_, scratch_;
+  double squared_heights_ = 0, distances_ = 0; // [m2], [m]
+  int pairs_ = 0;
 };
 } // namespace
 
@@ -121,6 +145,9 @@ CloudProperties cloud_properties(const PointCloud& cloud)
 
   CloudProperties result;
   result.disagreeing_normals = cells.disagreeing;
+  result.spacing = cells.spacing();
+  result.scatter = cells.scatter();
+  if (result.spacing > 0) result.volume_excess = 2.5 * std::pow(result.scatter / result.spacing, 2);
   // The cones over the cells' polygons: for a plane cell their volume is a x.n / 3.
   result.body = mass_properties(cells.fans);
   Vector3 sum = Vector3::Zero();

@@ -7,6 +7,7 @@
 #include "dem/scans/text_scanner.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace interlock::dem
 {
@@ -38,6 +39,10 @@ PointCloud read_xyz(const InputFile& file)
     cloud.normals.emplace_back(row[3], row[4], row[5]);
     if (cloud.normals.back().isZero(0))
       file.refuse("has a normal of length zero in line ", scanner.line(), ".");
+    if (const double length = cloud.normals.back().norm(); std::abs(length - 1) > 0.1)
+      file.refuse("has no unit normal in columns 4 to 6 of line ", scanner.line(),
+                  ", but numbers of length ", length,
+                  " (colours?): the columns must be x y z nx ny nz.");
   } while (scanner.next_line());
   return cloud;
 }
@@ -104,6 +109,12 @@ void check_body(const InputFile& file, int points, const PointCloudDiagnosis& di
     file.refuse("does not enclose a body evenly: its surface leaves a gap of ",
                 100 * diagnosis.closure, " % of its area, but at most ", 100 * largest_closure,
                 " % can be bridged.");
+  if (diagnosis.volume_excess > largest_volume_excess)
+    file.refuse("is too noisy: its points scatter by ", diagnosis.scatter,
+                " m along their normals, ", 100 * diagnosis.scatter / diagnosis.spacing,
+                " % of their spacing, which makes the volume too large by about ",
+                100 * diagnosis.volume_excess, " %, but at most ", 100 * largest_volume_excess,
+                " % are taken: smooth the points or take fewer of them.");
   if (diagnosis.body.volume < 0)
     file.refuse("is inside out: its normals point inwards (volume ", diagnosis.body.volume,
                 diagnosis.flipped ? " m3); leave --flip away." : " m3); turn them with --flip.");
@@ -133,6 +144,9 @@ PointCloud read_point_cloud(const std::string& path, const StoneFileOptions& opt
   const CloudProperties properties = cloud_properties(cloud);
   found.disagreeing_normals = properties.disagreeing_normals;
   found.closure = properties.closure;
+  found.spacing = properties.spacing;
+  found.scatter = properties.scatter;
+  found.volume_excess = properties.volume_excess;
   found.body = properties.body;
   if (diagnosis) *diagnosis = found;
   check_body(file, points, found);

@@ -1,10 +1,9 @@
 // Writing stones: write_stl of triangle_mesh.h.
+#include "dem/atomic_files.h"
 #include "dem/input_error.h"
 #include "dem/triangle_mesh.h"
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 
 namespace interlock::dem
 {
@@ -31,12 +30,7 @@ void write_stl(const std::string& path, const TriangleMesh& mesh)
     for (const Vector3* corner : {&a, &b, &c}) append_floats(bytes, *corner);
     bytes.append(2, '\0');
   }
-  const std::string temporary = path + ".tmp";
-  std::ofstream file(temporary, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (!file || error) throw InputError("Stone mesh '" + path + "' cannot be written.");
+  if (!write_atomically(path, bytes))
+    throw InputError("Stone mesh '" + path + "' cannot be written.");
 }
 } // namespace interlock::dem

@@ -34,6 +34,8 @@ TEST_F(PointCloudFile, LinesAreNamed)
   expect_refused("c.xyz", line + "0 0 0.02 0 0 1 255\n", {"more than six columns in line 2"});
   expect_refused("d.xyz", "# title\n" + line + "0 0 0.02 0 0 up\n", {"'up' in line 3"});
   expect_refused("e.xyz", line + "0 0 0.02 0 0 0\n", {"length zero in line 2"});
+  expect_refused("rgb.xyz", line + "0 0.02 0 120 130 140\n",
+                 {"no unit normal in columns 4 to 6 of line 2", "length 225.6"});
   expect_refused("f.xyz", line + "0 0 nan 0 0 1\n", {"'nan'", "finite", "line 2"});
   expect_refused("g.xyz", line, {"1 different points", "at least 100"});
   expect_refused("h.xyz", "# nothing\n", {"0 different points"});
@@ -79,6 +81,17 @@ TEST_F(PointCloudFile, NormalsDisagree)
   PointCloud mixed = ball();
   for (std::size_t i = 0; i < mixed.points.size(); i += 20) mixed.normals[i] *= -1;
   expect_refused("mixed.xyz", clouds::as_text(mixed), {"disagree", "25 of 500 points"});
+}
+
+TEST_F(PointCloudFile, Noise)
+{
+  PointCloud noisy = ball();
+  RandomStream generator(1);
+  // Points are 3.6 mm apart; uniform noise of 1.2 mm scatters by 0.7 mm, a fifth of it.
+  for (std::size_t i = 0; i < noisy.points.size(); ++i)
+    noisy.points[i] += generator.uniform(-0.0012, 0.0012) * noisy.normals[i];
+  expect_refused("noisy.xyz", clouds::as_text(noisy),
+                 {"too noisy", "of their spacing", "at most 5 %"});
 }
 
 TEST_F(PointCloudFile, Unit)

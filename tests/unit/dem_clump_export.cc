@@ -36,7 +36,8 @@ protected:
   {
     const std::string path = (folder / "clump").string();
     export_clump(path, shape, clump_format(format), density);
-    EXPECT_FALSE(std::filesystem::exists(path + suffix + ".tmp"));
+    EXPECT_FALSE(std::filesystem::exists(path + suffix + ".part"));
+    EXPECT_FALSE(std::filesystem::exists(path + ".part"));
     std::ifstream file(path + suffix);
     EXPECT_TRUE(file) << path + suffix;
     std::ostringstream text;
@@ -103,6 +104,26 @@ TEST_F(ClumpExport, Lammps)
   EXPECT_LT(sums.centre.norm(), 1e-12);
 }
 
+// Seven spheres cannot carry the moments of some_shape(); the sums of these eight are the stone's,
+// because the stone is made of them.
+TEST_F(ClumpExport, LammpsSaysWhatTheSumsMiss)
+{
+  EXPECT_NE(text_of("lammps").find("their moments are off by up to"), std::string::npos);
+  EXPECT_GT(sum_deviation(shape, member_volumes(shape)), 0.01);
+
+  shape.spheres.clear();
+  for (const double x : {-0.01, 0.01})
+    for (const double y : {-0.012, 0.012})
+      for (const double z : {-0.015, 0.015}) shape.spheres.push_back({{x, y, z}, 0.015});
+  const std::vector<double> volumes(8, 1e-5);
+  const MassProperties exact = mass_properties(shape.spheres, volumes);
+  shape.volume = exact.volume;
+  shape.unit_inertia = exact.inertia.diagonal();
+  EXPECT_LT(sum_deviation(shape, member_volumes(shape)), allowed_sum_deviation);
+  EXPECT_NE(text_of("lammps").find("sum to the stone's mass, centre and inertia"),
+            std::string::npos);
+}
+
 TEST_F(ClumpExport, Liggghts)
 {
   expect_spheres(numbers(text_of("liggghts"), ".in`.\n", 4 * count), 4, 0, 3);
@@ -134,6 +155,16 @@ TEST_F(ClumpExport, Mercury)
             std::vector<double>({inertia[0], 0, 0, 0, inertia[1], 0, 0, 0, inertia[2]}));
   EXPECT_EQ(numbers(text_of("mercury", "/Inertia/PD.txt"), "", 9),
             std::vector<double>({1, 0, 0, 0, 1, 0, 0, 0, 1}));
+}
+
+// A file in the way of one of the folder's own stands for a full disk.
+TEST_F(ClumpExport, FoldersAppearWholeOrNotAtAll)
+{
+  const auto path = folder / "clump.mclump";
+  write("clump.mclump.part", "in the way");
+  EXPECT_THROW(export_clump(path.string(), shape, ClumpFormat::mercury, density),
+               interlock::InputError);
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST_F(ClumpExport, Pfc)
@@ -173,9 +204,16 @@ TEST_F(ClumpExport, NamesAndPaths)
 {
   for (const std::string& name : clump_format_names())
     EXPECT_FALSE(clump_extension(clump_format(name)).empty());
-  EXPECT_EQ(clump_export_path("out.d/a.b.clump.json", ClumpFormat::yade), "out.d/a.b.py");
+  EXPECT_EQ(clump_export_path("out.d/a.b.clump.json", ClumpFormat::yade), "out.d/a_b.py");
   EXPECT_EQ(clump_export_path("out.d/a", ClumpFormat::vtk), "out.d/a.vtp");
   EXPECT_EQ(clump_export_path("a.data", ClumpFormat::lammps), "a.mol");
+  EXPECT_EQ(clump_export_path("my scans/no. 7-b.clump.json", ClumpFormat::mercury),
+            "my scans/no__7_b.mclump");
+  EXPECT_EQ(clump_export_path("my scans/no. 7-b.clump.json", ClumpFormat::csv),
+            "my scans/no. 7-b.csv");
+  EXPECT_EQ(clump_export_path("7.clump.json", ClumpFormat::yade), "stone_7.py");
+  EXPECT_EQ(clump_export_paths("a.clump.json", ClumpFormat::liggghts),
+            std::vector<std::string>({"a.multisphere", "a.multisphere.in"}));
 }
 
 TEST_F(ClumpExport, Refusals)

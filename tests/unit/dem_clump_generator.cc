@@ -237,6 +237,30 @@ TEST(ClumpGenerator, ReportsTheAxes)
   EXPECT_FALSE(report.axes_are_distinct);
 }
 
+// Origin and rotation of the report lay the clump over the scan that it was made from.
+TEST(ClumpGenerator, ReportsTheBodyFrame)
+{
+  const Matrix3 turn(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()));
+  const TriangleMesh scan = solids::moved(lattice_box(), turn, Vector3(0.1, -0.2, 0.3));
+  ClumpParameters p = parameters(0.0005, 0.004, 100);
+  p.touching_radius = TouchingRadius::nodes;
+  ClumpReport report;
+  const ClumpShape shape = make_clump(scan, p, &report);
+  const MassProperties exact = mass_properties(scan);
+  EXPECT_LT((report.origin - exact.centre).norm(), 1e-12);
+  const Matrix3 axes = report.rotation.toRotationMatrix();
+  const Matrix3 inertia = axes * shape.unit_inertia.asDiagonal() * axes.transpose();
+  EXPECT_LT((inertia - exact.inertia).norm(), 1e-9 * exact.inertia.norm());
+  // Each ball touches a node of the scan, and has none inside.
+  for (const Sphere& sphere : shape.spheres) {
+    const Vector3 centre = report.origin + report.rotation * sphere.centre;
+    double nearest = INFINITY;
+    for (const Vector3& node : scan.vertices)
+      nearest = std::min(nearest, (node - centre).norm() - sphere.radius);
+    EXPECT_NEAR(nearest, 0, 1e-9);
+  }
+}
+
 TEST(ClumpGenerator, BadParametersAreInputErrors)
 {
   const TriangleMesh mesh = lattice_box();

@@ -6,6 +6,7 @@
 #include "tests/temporary_folder.h"
 
 #include <cstring>
+#include <random>
 
 namespace
 {
@@ -53,6 +54,31 @@ TEST(PointCloud, NoisyEllipsoid)
   for (Vector3& x : cloud.points) x += noise(0.1 * spacing);
   for (Vector3& n : cloud.normals) n = (n + noise(0.1)).normalized();
   expect_ellipsoid(cloud_properties(cloud), half, 0.015, 0.015);
+}
+
+// Gaussian noise along the normals. The body is known, so that the error of its volume is; what
+// the scatter says of it must agree.
+TEST(PointCloud, ScatterTellsTheErrorOfTheVolume)
+{
+  const Vector3 half(0.030, 0.020, 0.012);
+  const double volume = 4 * std::acos(-1.) / 3 * half.prod();
+  const PointCloud even = clouds::ellipsoid(half, 2000);
+  const CloudProperties quiet = cloud_properties(even);
+  EXPECT_LT(quiet.scatter, 0.002 * quiet.spacing) << "curvature counts as noise";
+  for (const double ratio : {0.05, 0.1, 0.14, 0.2}) {
+    PointCloud noisy = even;
+    const double noise = ratio * quiet.spacing;
+    std::mt19937 generator(1);
+    std::normal_distribution<double> normal(0, noise);
+    for (std::size_t i = 0; i < noisy.points.size(); ++i)
+      noisy.points[i] += normal(generator) * noisy.normals[i];
+    const CloudProperties found = cloud_properties(noisy);
+    EXPECT_NEAR(found.scatter, noise, 0.05 * noise);
+    const double excess = found.body.volume / volume - 1;
+    EXPECT_NEAR(found.volume_excess, excess, 0.1 * excess)
+        << "noise " << ratio << " of the spacing";
+    EXPECT_LT(found.closure, 0.02) << "the gap does not see noise";
+  }
 }
 
 TEST(PointCloud, Cube)

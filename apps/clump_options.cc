@@ -1,0 +1,117 @@
+#include "apps/clump_options.h"
+
+#include "apps/seed_option.h"
+#include "dem/input_error.h"
+
+#include <sstream>
+
+namespace interlock::apps
+{
+namespace
+{
+// Of rocks and metals; keeps g/cm3 and slips of the keyboard out [kg/m3].
+constexpr double smallest_density = 100, largest_density = 30000;
+
+void check_density(const ClumpOptions& options)
+{
+  for (const std::string& format : options.files.formats) dem::clump_format(format); // throws
+  if (!options.density && !options.files.formats.empty())
+    throw InputError("Other codes need masses: give --density in kg/m3 with --format.");
+  if (!options.density ||
+      (*options.density >= smallest_density && *options.density <= largest_density))
+    return;
+  std::ostringstream text;
+  text << "The option --density is " << *options.density << " kg/m3, but must be "
+       << smallest_density << " to " << largest_density << " kg/m3.";
+  throw InputError(text.str());
+}
+
+// As it was typed, in per cent.
+void check_target(const char* option, double percent)
+{
+  if (percent >= 0 && percent < 100) return;
+  std::ostringstream text;
+  text << "The option " << option << " is " << percent
+       << " %, but must be 0 % (no target) or more, and below 100 %.";
+  throw InputError(text.str());
+}
+} // namespace
+
+dem::ClumpParameters clump_parameters(const ClumpOptions& options)
+{
+  for (const auto& [name, value] :
+       {std::pair("--d-min", options.d_min), {"--r-min", options.r_min}})
+    if (value < 0)
+      throw InputError(std::string("The option ") + name +
+                       " is missing or negative, but must be a length of 0 m or more.");
+  check_density(options);
+  check_target("--target-volume-error", options.target_volume_error);
+  check_target("--target-inertia-error", options.target_inertia_error);
+  dem::ClumpParameters parameters = options.parameters;
+  parameters.d_min = options.d_min;
+  parameters.r_min = options.r_min;
+  parameters.mass_scheme = dem::mass_scheme(options.scheme);
+  parameters.touching_radius = dem::touching_radius(options.radius);
+  parameters.target_volume_error = options.target_volume_error / 100;
+  parameters.target_inertia_error = options.target_inertia_error / 100;
+  dem::check_parameters(parameters);
+  dem::length_of_unit(options.unit); // throws
+  return parameters;
+}
+
+dem::StoneFileOptions file_options(const ClumpOptions& options)
+{
+  dem::StoneFileOptions file;
+  file.length_unit = dem::length_of_unit(options.unit);
+  file.flip = options.flip;
+  file.accept_crossings = options.accept_crossings;
+  return file;
+}
+
+void add_clump_options(CLI::App& command, ClumpOptions& options)
+{
+  dem::ClumpParameters& p = options.parameters;
+  const auto add = [&](const char* name, auto& value, const char* text) {
+    return command.add_option(name, value, text);
+  };
+  ClumpArguments& files = options.files;
+  add("stones", files.stones,
+      "Stones: closed meshes (.stl, .ply, .obj), clouds of points with normals (.ply, .xyz), or "
+      "folders of them");
+  add("--d-min", options.d_min, "Nodes nearer to a sphere's surface get no sphere [m]");
+  add("--r-min", options.r_min, "Smaller spheres are rejected [m]");
+  add("--p-max", p.p_max, "Largest share of the nodes to be used [%]")->capture_default_str();
+  add("--max-spheres", p.max_spheres, "Stop at this number of spheres (0: no limit)");
+  add("--target-volume-error", options.target_volume_error,
+      "Stop when the spheres' union has the stone's volume to within this [%]");
+  add("--target-inertia-error", options.target_inertia_error,
+      "Stop when the principal moments are off by this on average [%]");
+  add("--touching-radius", options.radius,
+      "How far balls grow: to the surface (facets), or to nodes (the paper's)")
+      ->capture_default_str();
+  add_seed_option(command, p.seed, "Seed of the order of the nodes");
+  add("--mass-properties", options.scheme, "Centre and inertia: uniform, equal-mass or mesh")
+      ->capture_default_str();
+  add("--density", options.density, "Density of the rock, for masses: 100 to 30000 [kg/m3]");
+  add("--unit", options.unit, "Length unit of the stones: m, cm, mm or inch")
+      ->capture_default_str();
+  command.add_flag("--flip", options.flip, "The stones are inside out: turn them round");
+  command.add_flag("--accept-crossings", options.accept_crossings,
+                   "Take surfaces that cross themselves");
+  add("-o,--output", files.output,
+      "Clump file (default: the stone's name with .clump.json, here), or folder for it; folder for "
+      "several stones");
+  // One word an option, or it would take the stones behind it too.
+  add("--format", files.formats,
+      "Also write the clump for other codes, beside the clump file: lammps, liggghts, yade, "
+      "mercury, pfc, csv, vtk; needs --density; all but csv and vtk get a name of letters, digits "
+      "and _")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add("--report", files.report,
+      "Report file (default: the clump file's name with .report.json; several stones: "
+      "clumps.report.json in their folder)");
+  add("--table", options.table,
+      "Instead of all this: print a published table beside ours (octahedron)");
+}
+} // namespace interlock::apps

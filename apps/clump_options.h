@@ -1,0 +1,31 @@
+// The options of `interlock clump`, as they are typed and as they are used.
+#pragma once
+
+#include "apps/clump_files.h"
+#include "dem/generator/clump_generator.h"
+#include "dem/scans/stone_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+
+namespace interlock::apps
+{
+struct ClumpOptions {
+  ClumpArguments files;
+  std::string scheme = "mesh", radius = "surface", unit = "m", table;
+  double d_min = -1, r_min = -1;                            // negative: not given [m]
+  double target_volume_error = 0, target_inertia_error = 0; // [%]
+  bool flip = false, accept_crossings = false;
+  std::optional<double> density; // [kg/m3]
+  dem::ClumpParameters parameters;
+};
+
+void add_clump_options(CLI::App& command, ClumpOptions& options);
+
+// In SI units and shares. Throws InputError, in the unit that was typed, when one of them is
+// missing or out of range, the density and the unit of the stones included.
+dem::ClumpParameters clump_parameters(const ClumpOptions& options);
+
+dem::StoneFileOptions file_options(const ClumpOptions& options);
+} // namespace interlock::apps
