@@ -101,6 +101,27 @@ TEST(StaticBeam, ElasticaConvergesWithOrderTwo)
   }
 }
 
+// The default element, with residual bending flexibility and bowing, at the coarsest mesh of the
+// above.
+TEST(StaticBeam, ElasticaOfTheBowedElement)
+{
+  for (const auto& [row, tolerance] :
+       {std::pair{ElasticaRow{1, 0.3017208, 0.0564332, 0.4613519}, 1e-5},
+        {ElasticaRow{10, 0.8106090, 0.5549956, 1.4302855}, 1e-4}}) {
+    const int n = 8;
+    StaticOptions options;
+    options.load_steps = 10;
+    StaticSolver solver(Lattice({straight_line({0, 0, 0}, {1, 0, 0}, n, slender())}), options);
+    solver.clamp({0});
+    solver.add_load(n, {0, 0, row.load}, {0, 0, 0});
+    solver.solve();
+    const double angle = 2 * std::atan2(-solver.orientation(n).y(), solver.orientation(n).w());
+    EXPECT_NEAR(solver.displacement(n).z(), row.deflection, tolerance * row.deflection);
+    EXPECT_NEAR(-solver.displacement(n).x(), row.shortening, tolerance * row.shortening);
+    EXPECT_NEAR(angle, row.angle, tolerance * row.angle);
+  }
+}
+
 // Simo & Vu-Quoc, CMAME 58 (1986) 79-116: end moment 2 pi lambda EI/L. The exact curve is an arc;
 // the element's own angles are exact at any mesh, its chord is longer than the arc's by 1 + O(h^2).
 TEST(StaticBeam, RollUpByEndMoment)
