@@ -92,14 +92,9 @@ void Geogrid::apply(const std::vector<dem::RibWrench>& wrenches)
 {
   dynamics_->clear_loads();
   for (const dem::RibWrench& w : wrenches) {
-    // A moment about the chord turns the sections; one across it turns the chord: a couple of
-    // forces.
-    const dem::Vector3 chord = ribs_[w.rib].x[1] - ribs_[w.rib].x[0];
-    const double square = chord.squaredNorm();
-    const dem::Vector3 couple = w.moment.cross(chord) / square;
-    dynamics_->add_load(w.rib, w.xi, w.force, w.moment.dot(chord) / square * chord);
-    dynamics_->add_load(w.rib, 0, -couple, dem::Vector3::Zero());
-    dynamics_->add_load(w.rib, 1, couple, dem::Vector3::Zero());
+    const dem::RodLoads loads = dem::rod_loads(ribs_[w.rib], w);
+    for (const int end : {0, 1})
+      dynamics_->add_load(w.rib, end, loads.force[end], loads.moment[end]);
   }
 }
 

@@ -17,7 +17,7 @@ constexpr double ledger_bound = 0.01, ledger_failure = 0.1;
 
 std::string sentence(const char* format, double a, double b)
 {
-  char buffer[160];
+  char buffer[256];
   std::snprintf(buffer, sizeof buffer, format, a, b);
   return buffer;
 }
@@ -101,9 +101,9 @@ void PullOut::warn_of_rib_at_wall()
 {
   const GeogridParameters& g = parameters_.geogrid;
   const double left = g.pitch_along - g.overhang - g.rib_width - parameters_.pull.distance;
-  if (g.apertures_along > 1 && left < mean_size_)
+  if (g.apertures_along > 1 && left < 0.5 * mean_size_)
     warn(sentence("The pull brings the second transverse rib to %.1f mm from the front wall, less "
-                  "than a stone of %.1f mm: stones caught there raise the force.",
+                  "than half a stone of %.1f mm: stones caught there raise the force.",
                   1e3 * left, 1e3 * mean_size_));
 }
 

@@ -43,6 +43,17 @@ double fastest_point(const Clumps& clumps, const std::vector<Rib>& ribs)
   return std::sqrt(moving) + std::sqrt(turning);
 }
 
+// Whether a sphere is too far from the centre line to touch the rod. Without a root or a division.
+bool clear_of(const Rib& rib, const Vector3& centre, double radius)
+{
+  const Vector3 chord = rib.x[1] - rib.x[0], d = centre - rib.x[0];
+  const double along = chord.dot(d), square = chord.squaredNorm();
+  const double reach = radius + rib.half_width + rib.half_thickness;
+  if (along < 0) return d.squaredNorm() > reach * reach;
+  if (along > square) return (centre - rib.x[1]).squaredNorm() > reach * reach;
+  return d.squaredNorm() * square - along * along > reach * reach * square;
+}
+
 // Distance from a point to the flat core of a rib.
 double distance_to_core(const Rib& rib, const Vector3& p)
 {
@@ -82,6 +93,51 @@ RibProximity rib_proximity(const Rib& rib, const Vector3& centre, double radius)
                       std::sqrt(across.squaredNorm() * length_squared);
   result.lean = -twist * result.normal.dot(y * e3 - z * e2) * e1;
   return result;
+}
+
+namespace
+{
+// How the section at xi turns about the chord: e3 . d(e2) with e2 the width axis across the chord.
+// d(e2) has the spins of both ends in it, and, where sections lean along the chord, its turn.
+struct Turning {
+  Vector3 spin_share[2]; // of each end's spin [-]
+  Vector3 chord_share;   // of the velocity of end 2 against end 1 [1/m]
+};
+
+Turning turning_about_chord(const Rib& rib, double xi)
+{
+  const Vector3 chord = rib.x[1] - rib.x[0];
+  const double length = chord.norm();
+  const Vector3 e1 = chord / length;
+  const Vector3 width = (1 - xi) * rib.width_axis[0] + xi * rib.width_axis[1];
+  const double lean = width.dot(e1);
+  const Vector3 across = width - lean * e1;
+  const double across_length = across.norm();
+  const Vector3 e3 = e1.cross(across / across_length);
+  return {{(1 - xi) / across_length * rib.width_axis[0].cross(e3),
+           xi / across_length * rib.width_axis[1].cross(e3)},
+          -lean / (across_length * length) * e3};
+}
+} // namespace
+
+Vector3 rod_spin(const Rib& rib, double xi)
+{
+  const Vector3 chord = rib.x[1] - rib.x[0], apart = rib.v[1] - rib.v[0];
+  const Turning turning = turning_about_chord(rib, xi);
+  const double roll = turning.spin_share[0].dot(rib.w[0]) + turning.spin_share[1].dot(rib.w[1]) +
+                      turning.chord_share.dot(apart);
+  return chord.cross(apart) / chord.squaredNorm() + roll * chord.normalized();
+}
+
+RodLoads rod_loads(const Rib& rib, const RibWrench& wrench)
+{
+  const Vector3 chord = rib.x[1] - rib.x[0];
+  const double roll = wrench.moment.dot(chord.normalized());
+  const Turning turning = turning_about_chord(rib, wrench.xi);
+  const Vector3 couple =
+      wrench.moment.cross(chord) / chord.squaredNorm() + roll * turning.chord_share;
+  return {{(1 - wrench.xi) * wrench.force - couple, wrench.xi * wrench.force + couple},
+          {roll * turning.spin_share[0], roll * turning.spin_share[1]}};
 }
 
 void RibContacts::clear()
@@ -215,12 +271,14 @@ const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
     const double radius = clumps.shape_of(c.i).spheres[c.a].radius;
     Group group{&c, {}, -1};
     for (int k = c.first; k < c.last; ++k) {
+      // Most candidates are clear of the rod; those that touched need their gap.
+      if (c.overlap <= 0 && clear_of(ribs[candidate_ribs_[k]], centre, radius)) continue;
       const RibProximity p = rib_proximity(ribs[candidate_ribs_[k]], centre, radius);
       if (group.rib < 0 || p.overlap > group.nearest.overlap)
         group.nearest = p, group.rib = candidate_ribs_[k];
     }
-    c.shared = std::clamp(group.nearest.overlap, 0., c.shared);
-    if (group.nearest.overlap > 0)
+    c.shared = group.rib < 0 ? 0 : std::clamp(group.nearest.overlap, 0., c.shared);
+    if (group.rib >= 0 && group.nearest.overlap > 0)
       touching_.push_back(group);
     else if (c.overlap > 0)
       open(group, clumps, ribs, time_step, energy);
@@ -283,14 +341,9 @@ Vector3 RibContacts::relative_velocity(const RibContact& c, const Clumps& clumps
                                        const Rib& rib) const
 {
   const double n1 = 1 - c.xi, n2 = c.xi;
-  const Vector3 chord = rib.x[1] - rib.x[0];
-  // The rod turns with its chord, and about it with its sections.
-  const Vector3 rib_spin =
-      (chord.cross(rib.v[1] - rib.v[0]) + chord * chord.dot(n1 * rib.w[0] + n2 * rib.w[1])) /
-      chord.squaredNorm();
   const Vector3 clump_arm = c.point - clumps.position[c.i];
   return clumps.drift_velocity[c.i] + clumps.drift_spin[c.i].cross(clump_arm) -
-         (n1 * rib.v[0] + n2 * rib.v[1] + rib_spin.cross(c.arm));
+         (n1 * rib.v[0] + n2 * rib.v[1] + rod_spin(rib, c.xi).cross(c.arm));
 }
 
 void RibContacts::open(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,

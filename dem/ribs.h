@@ -24,15 +24,25 @@ struct Rib {
   Vector3 width_axis[2]; // of the section at the ends, unit, about normal to the centre line
 };
 
-// What a stone does to a rib. Dual to the motion of the rod that contacts see: the velocity of the
-// centre line is linear between the ends, the rod turns with its chord, and about the chord with
-// the linear share of its sections' spins.
+// What a stone does to a rib.
 struct RibWrench {
   int rib = 0;
   double xi = 0;  // place along the rod, 0 at end 1, 1 at end 2
   Vector3 force;  // on the rib, world [N]
   Vector3 moment; // about the point of the centre line at xi, world [N m]
 };
+
+// Spin [rad/s] of the rod at xi as contacts see it: the rod turns with its chord, and about the
+// chord with the width axis, interpolated between the ends and made perpendicular to the chord.
+Vector3 rod_spin(const Rib& rib, double xi);
+
+// The wrench as loads on both ends of the rod, world frame: dual to the linear velocity of the
+// centre line and to rod_spin, so the power is the same, and forces and moments balance.
+struct RodLoads {
+  Vector3 force[2];  // [N]
+  Vector3 moment[2]; // about the ends [N m]
+};
+RodLoads rod_loads(const Rib& rib, const RibWrench& wrench);
 
 // One member sphere of a clump against one line of ribs.
 struct RibContact {

@@ -222,3 +222,52 @@ TEST(Ribs, NoEnergyAppearsWhereTheLinesOfAJunctionPart)
   EXPECT_NEAR(work + energy.elastic - stored + energy.damping, 0, 1e-3 * stored);
   EXPECT_LT(energy.damping, stored);
 }
+
+// A bent and twisted rod with a ball on its edge, its side, and beyond its end: the loads on ball
+// and rod ends against the energy in the contact, freedom by freedom. Spins turn the width axes.
+TEST(Ribs, LoadsAreTheGradientOfTheEnergy)
+{
+  Rib r = rib({0, 0, 0}, {8e-3, 1e-3, -0.5e-3}, 0);
+  const Vector3 along = (r.x[1] - r.x[0]).normalized();
+  for (int end : {0, 1})
+    r.width_axis[end] = Eigen::AngleAxisd((end - 0.4) * 0.6, Vector3(0.5, 0.2, 0.8).normalized()) *
+                        Eigen::AngleAxisd((end - 0.4) * 0.3, along) * r.width_axis[end];
+  const double k = 5.65e7, radius = 5e-3;
+  const auto energy = [&](const Rib& rod, const Vector3& x) {
+    const double overlap = rib_proximity(rod, x, radius).overlap;
+    return 0.5 * k * overlap * overlap;
+  };
+  for (const Vector3& x : {Vector3(4e-3, 2.4e-3, 5.9e-3), Vector3(3e-3, -7.0e-3, 0.3e-3),
+                           Vector3(5e-3, 5.5e-3, -4e-3), Vector3(12.6e-3, 2e-3, 1e-3)}) {
+    ASSERT_GT(rib_proximity(r, x, radius).overlap, 0) << x.transpose();
+    Clumps clumps({ball(radius)});
+    clumps.add(0, 2650, x, Quaternion::Identity());
+    RibContacts contacts(elastic(k));
+    contacts.update_list(clumps, {r}, 1e-6);
+    std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+    ContactEnergy stored;
+    const auto& wrenches = contacts.evaluate(clumps, {r}, 1e-6, force, torque, stored);
+    ASSERT_EQ(wrenches.size(), 1u);
+    const RodLoads loads = rod_loads(r, wrenches[0]);
+    EXPECT_LT(torque[0].norm(), 1e-12 * force[0].norm());
+    const double step = 1e-7, tolerance = 1e-4 * force[0].norm();
+    for (int c = 0; c < 3; ++c) {
+      const Vector3 by = step * Vector3::Unit(c);
+      EXPECT_NEAR(force[0][c], -(energy(r, x + by) - energy(r, x - by)) / (2 * step), tolerance);
+      for (int end : {0, 1}) {
+        Rib up = r, down = r;
+        up.x[end] += by;
+        down.x[end] -= by;
+        EXPECT_NEAR(loads.force[end][c], -(energy(up, x) - energy(down, x)) / (2 * step),
+                    tolerance);
+        const double turn = 1e-5;
+        up = down = r;
+        const Eigen::AngleAxisd left(turn, Vector3::Unit(c)), right(-turn, Vector3::Unit(c));
+        up.width_axis[end] = left * r.width_axis[end];
+        down.width_axis[end] = right * r.width_axis[end];
+        EXPECT_NEAR(loads.moment[end][c], -(energy(up, x) - energy(down, x)) / (2 * turn),
+                    1e-2 * tolerance);
+      }
+    }
+  }
+}
