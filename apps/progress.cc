@@ -81,7 +81,8 @@ void ProgressDisplay::show(const coupling::Progress& progress)
   const double speed =
       elapsed > 0 ? static_cast<double>(progress.steps - steps_at_stage_start_) / elapsed : 0;
   const double done = progress.fraction - fraction_at_stage_start_;
-  const double left = done > 0 ? elapsed * (1 - progress.fraction) / done : -1;
+  // The first per cent says too little: a pull starts slowly.
+  const double left = done > 0.01 ? elapsed * (1 - progress.fraction) / done : -1;
   const std::string text = progress_text(progress, speed, left);
   if (line_due) {
     log_ << text << std::endl;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "coupling/pull_out_parameters.h"
-#include "dem/ribs.h"
+#include "dem/rib_contacts.h"
 #include "fem/explicit_dynamics.h"
 
 #include <memory>

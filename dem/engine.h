@@ -8,7 +8,7 @@
 #pragma once
 
 #include "dem/neighbour_lists.h"
-#include "dem/ribs.h"
+#include "dem/rib_contacts.h"
 
 #include <optional>
 
