@@ -19,6 +19,7 @@ const NamedEntry table[] = {
     {"elastic_geogrid", &EnergyLedger::elastic_geogrid},
     {"friction", &EnergyLedger::friction},
     {"contact_damping", &EnergyLedger::contact_damping},
+    {"contact_sharing", &EnergyLedger::contact_sharing},
     {"local_damping", &EnergyLedger::local_damping},
     {"geogrid_damping", &EnergyLedger::geogrid_damping},
     {"clamp_work", &EnergyLedger::clamp_work},
@@ -34,7 +35,8 @@ double EnergyLedger::residual() const
 {
   const double stored =
       kinetic_stones + kinetic_geogrid + gravitational + elastic_contacts + elastic_geogrid;
-  const double dissipated = friction + contact_damping + local_damping + geogrid_damping;
+  const double dissipated =
+      friction + contact_damping + contact_sharing + local_damping + geogrid_damping;
   return stored + dissipated - clamp_work - wall_work - inserted;
 }
 

@@ -120,7 +120,7 @@ void PullOut::describe_packing()
   const BoxParameters& box = parameters_.box;
   const double mass = filling_->mass_in_box(), surface = filling_->surface_height();
   const double stones = static_cast<double>(engine_->clumps().size());
-  const std::vector<double>& masses = engine_->clumps().mass; // the surcharge's, too
+  const dem::ScalarField& masses = engine_->clumps().mass; // the surcharge's, too
   const double total_mass = std::accumulate(masses.begin(), masses.end(), 0.);
   nlohmann::ordered_json& results = summary_.results;
   results["rigid"] = parameters_.geogrid.rigid;
