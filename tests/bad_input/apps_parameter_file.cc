@@ -1,8 +1,8 @@
 // Bad parameter files. Each test states one slip that a user makes and the words that must be in
 // the answer: the place, the entry, the value and what to write instead. It takes an error that is
 // not found, is found alone where there are several, or does not say where it is, to fail.
+#include "apps/case_templates.h"
 #include "apps/parameter_file.h"
-#include "apps/template_command.h"
 #include "dem/input_error.h"
 #include "tests/temporary_folder.h"
 
@@ -144,6 +144,13 @@ TEST_F(BadParameterFile, OtherExperimentsAreNotAvailable)
 {
   expect_words(errors_with("Experiment=heap"), {"\"heap\"", "not available in this version"});
   expect_words(errors_with("Experiment=pullout"), {"\"pullout\"", "\"pull-out\""});
+}
+
+// Nobody can know which other entries are missing.
+TEST_F(BadParameterFile, WithoutAnExperimentNothingElseIsMissing)
+{
+  expect_words(errors(write("bad.prm", "subsection Pull\n  set Speed = 0.1\nend\n")),
+               {"bad.prm", "\"Experiment\" is missing", "\"pull-out\""});
 }
 
 TEST_F(BadParameterFile, BrokenLinesAreNamed)
