@@ -150,7 +150,8 @@ void Packing::collect_results()
   s.results["floor_force_N"] = floor;
   s.results["side_wall_friction_N"] = sides;
   s.results["weight_N"] = weight_;
-  if (weight_ > 0) s.results["carried_weight_over_weight"] = (floor + sides) / weight_;
+  if (weight_ > 0 && !parameters_.state.hold_still)
+    s.results["carried_weight_over_weight"] = (floor + sides) / weight_;
   s.results["missed_contact_checks"] = parameters_.state.missed_contact_checks;
   s.results["timed_steps"] = loads_.steps;
   collect_speed();
