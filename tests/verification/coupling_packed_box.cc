@@ -1,9 +1,9 @@
 // The packed box of cases/benchmark/w1.prm beside LAMMPS (29 Sep 2021, fix rigid/small with
 // gran/hooke/history), which counts 881 touching sphere pairs after 2,500 steps from the same state
-// with the same law. It takes more than 3 % another number, a floor and side walls that carry another
-// weight than that of the stones (0.1 %), a contact that the neighbour lists miss, or a ledger that
-// does not close, to fail. The springs of friction are not stored in the state, so the count is that of
-// a packing that finds its rest anew.
+// with the same law. It takes more than 3 % another number, a floor and side walls that carry
+// another weight than that of the stones (0.1 %), a contact that the neighbour lists miss, or a
+// ledger that does not close, to fail. The springs of friction are not stored in the state, so the
+// count is that of a packing that finds its rest anew.
 #include "coupling/packing.h"
 #include "tests/temporary_folder.h"
 
