@@ -1,5 +1,7 @@
 #include "coupling/energy_ledger.h"
 
+#include "dem/engine.h"
+
 #include <cmath>
 
 namespace interlock::coupling
@@ -56,6 +58,21 @@ std::vector<std::pair<std::string, double>> EnergyLedger::entries() const
   std::vector<std::pair<std::string, double>> result;
   for (const NamedEntry& entry : table) result.emplace_back(entry.name, this->*entry.member);
   return result;
+}
+
+EnergyLedger ledger_of(const dem::EngineEnergy& stones)
+{
+  EnergyLedger ledger;
+  ledger.kinetic_stones = stones.kinetic;
+  ledger.gravitational = stones.gravitational;
+  ledger.elastic_contacts = stones.contact.elastic;
+  ledger.friction = stones.contact.friction;
+  ledger.contact_damping = stones.contact.damping;
+  ledger.contact_sharing = stones.contact.sharing;
+  ledger.local_damping = stones.local_damping;
+  ledger.wall_work = stones.wall_work;
+  ledger.inserted = stones.inserted;
+  return ledger;
 }
 
 EnergyLedger difference(const EnergyLedger& end, const EnergyLedger& begin)

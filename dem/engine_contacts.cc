@@ -179,7 +179,9 @@ int Engine::count_overlaps_brute_force() const
 {
   int count = 0;
   for (int i = 0; i < clumps_.size(); ++i)
-    for (int j = i + 1; j < clumps_.size(); ++j)
+    for (int j = i + 1; j < clumps_.size(); ++j) {
+      const double balls = clumps_.bounding_radius(i) + clumps_.bounding_radius(j);
+      if ((clumps_.position[i] - clumps_.position[j]).norm() > balls) continue;
       for (std::size_t a = 0; a < clumps_.shape_of(i).spheres.size(); ++a)
         for (std::size_t b = 0; b < clumps_.shape_of(j).spheres.size(); ++b) {
           const Vector3 d = clumps_.position[i] + clumps_.member_offset(i, a) -
@@ -188,6 +190,7 @@ int Engine::count_overlaps_brute_force() const
               clumps_.shape_of(i).spheres[a].radius + clumps_.shape_of(j).spheres[b].radius;
           if (d.squaredNorm() < reach * reach) ++count;
         }
+    }
   return count;
 }
 } // namespace interlock::dem
