@@ -3,7 +3,9 @@
 
 #include "dem/engine.h"
 
-#include <functional>
+#include <gtest/gtest.h>
+#include <map>
+#include <sstream>
 
 namespace bodies
 {
@@ -47,6 +49,19 @@ inline void set_spin(Engine& engine, int clump, const Vector3& spin) // world [r
   const Matrix3 r = clumps.orientation[clump].toRotationMatrix();
   clumps.angular_momentum[clump] = r * clumps.inertia[clump].asDiagonal() * (r.transpose() * spin);
   clumps.spin[clump] = spin;
+}
+
+// Keeps the largest of the measured values in the report of the test (--gtest_output), for
+// docs/verification.md.
+inline void record(const std::string& what, double value)
+{
+  static std::map<std::string, double> largest;
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  double& kept = largest[std::string(test->name()) + what];
+  if (std::abs(value) >= std::abs(kept)) kept = value;
+  std::ostringstream text;
+  text << kept;
+  ::testing::Test::RecordProperty(what, text.str());
 }
 
 // What is seen of one impact: until nothing overlaps any more.

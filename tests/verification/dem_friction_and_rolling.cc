@@ -9,8 +9,6 @@
 // wrong.
 #include "tests/dem_bodies.h"
 
-#include <gtest/gtest.h>
-
 using namespace bodies;
 
 namespace
@@ -78,7 +76,7 @@ TEST(FrictionAndRolling, BlockStops)
   slope.run(0.5 * time); // the dashpots calm the last springing
   EXPECT_NEAR(slope.travelled(), way, 1e-3 * way);
   EXPECT_NEAR(slope.speed(), 0, 1e-6 * v0);
-  RecordProperty("way_error", std::to_string(slope.travelled() / way - 1));
+  record("way_error", slope.travelled() / way - 1);
 }
 
 // The creep is F/k_t and, as friction attacks R below the centre and leans the block forwards on
@@ -95,7 +93,7 @@ TEST(FrictionAndRolling, BlockOnSlopeSticksBelowTheThreshold)
   const double pull = density * shape.volume * g * std::sin(angle);
   const double creep = pull * (1 / (9 * 1e6) + 1e-6 / (6 * 2e6 * 4e-4));
   EXPECT_NEAR(slope.travelled(), creep, 1e-4 * creep);
-  RecordProperty("creep_error", std::to_string(slope.travelled() / creep - 1));
+  record("creep_error", slope.travelled() / creep - 1);
   slope.engine.walls()[0].contact.friction = mu;
   slope.run(0.1);
   const double settled = slope.travelled();
@@ -115,7 +113,7 @@ TEST(FrictionAndRolling, BlockOnSlopeSlidesAboveTheThreshold)
     const double early = slope.speed();
     slope.run(0.2);
     EXPECT_NEAR((slope.speed() - early) / 0.2, a, 1e-3 * a);
-    RecordProperty("acceleration_error", std::to_string((slope.speed() - early) / 0.2 / a - 1));
+    record("acceleration_error", (slope.speed() - early) / 0.2 / a - 1);
   }
 }
 
@@ -132,7 +130,7 @@ TEST(FrictionAndRolling, SlidingSphereComesToRoll)
   slope.run(time);
   EXPECT_NEAR(slope.speed(), 5. / 7 * v0, 1e-3 * v0);
   EXPECT_NEAR(slope.rolling_speed(), slope.speed(), 1e-3 * v0);
-  RecordProperty("speed_error", std::to_string(slope.speed() / (5. / 7 * v0) - 1));
+  record("speed_error", slope.speed() / (5. / 7 * v0) - 1);
 }
 
 // Friction above and below 2/7 tan.
@@ -153,6 +151,6 @@ TEST(FrictionAndRolling, SphereOnSlopeRollsOrSlips)
     } else {
       EXPECT_LT(slope.rolling_speed(), 0.97 * slope.speed());
     }
-    RecordProperty("acceleration_error", std::to_string((slope.speed() - v) / time / a - 1));
+    record("acceleration_error", (slope.speed() - v) / time / a - 1);
   }
 }

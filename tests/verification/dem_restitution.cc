@@ -9,8 +9,6 @@
 // contact or the leapfrog is wrong.
 #include "tests/dem_bodies.h"
 
-#include <gtest/gtest.h>
-
 using namespace bodies;
 
 namespace
@@ -85,8 +83,8 @@ TEST(Restitution, DampedImpactInBothConventions)
         worst_duration = std::max(worst_duration, std::abs(r.impact.duration * w0 / duration - 1));
       }
     }
-  RecordProperty("restitution_error", std::to_string(worst));
-  RecordProperty("duration_error", std::to_string(worst_duration));
+  record("restitution_error", worst);
+  record("duration_error", worst_duration);
 }
 
 // The damping ratio that belongs to a wanted restitution, for the contact with tension.
@@ -131,8 +129,7 @@ TEST(Restitution, OrderOneWithDashpots)
               2);
       error.push_back(std::sqrt(squares / 100));
     }
-    RecordProperty(tension ? "rms_error_tension" : "rms_error_no_tension",
-                   std::to_string(error[0]) + " at 100 steps");
+    record(tension ? "rms_error_tension" : "rms_error_no_tension", error[0]);
     EXPECT_NEAR(std::log2(error[0] / error[1]), 1, 0.1) << tension;
     EXPECT_NEAR(std::log2(error[1] / error[2]), 1, 0.1) << tension;
   }
