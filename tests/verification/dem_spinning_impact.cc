@@ -29,10 +29,12 @@ struct Motion {
   Vector3 velocity, spin;
 };
 
-// Clump 0 comes along -z; clump 1, if there is one, waits below it. Checks the state after the
-// impact against impulse theory and returns it.
-State impact(std::vector<double> radii, const State& before, double damping_ratio,
-             bool stick_counts)
+const Vector3 still = Vector3::Zero(), z = Vector3::UnitZ();
+
+// Body 0 comes along -z; body 1 lies below it: another sphere, or a plane if there is one radius
+// only. Checks the motion after the impact against impulse theory and returns it.
+std::vector<Motion> impact(const std::vector<double>& radii, const std::vector<Motion>& before,
+                           double damping_ratio, bool stick_counts)
 {
   std::vector<ClumpShape> shapes;
   for (const double radius : radii) shapes.push_back(ball(radius));
