@@ -15,7 +15,7 @@ using namespace bodies;
 
 namespace
 {
-constexpr double R = 0.01, density = 2600, mu = 0.3, v_n = 0.2, dt = 1e-8, tolerance = 1e-3;
+constexpr double R = 0.01, density = 2600, mu = 0.3, v_n = 0.2, dt = 1e-8, tolerance = 2e-4;
 
 ContactProperties rough_contact(double damping_ratio)
 {
