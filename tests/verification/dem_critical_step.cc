@@ -43,12 +43,9 @@ double growth(Assembly assembly, double dt, int steps)
   const double start = engine.kinetic_energy();
   double largest = 0;
   for (int n = 0; n < steps; ++n) {
-    engine.compute_forces(dt);
-    for (int i = 0; i < engine.clumps().size(); ++i) {
-      engine.kick(i, dt);
+    for (int i = 0; i < engine.clumps().size(); ++i)
       engine.clumps().velocity[i] += dt / engine.clumps().mass[i] * assembly.force[i];
-      engine.clumps().drift(i, dt);
-    }
+    engine.step(dt);
     largest = std::max(largest, engine.kinetic_energy());
   }
   return largest / start;
