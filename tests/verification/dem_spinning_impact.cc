@@ -29,17 +29,17 @@ struct Motion {
   Vector3 velocity, spin;
 };
 
+const ContactProperties elastic = rough_contact(0);
 const Vector3 still = Vector3::Zero(), z = Vector3::UnitZ();
 
 // Body 0 comes along -z; body 1 lies below it: another sphere, or a plane if there is one radius
 // only. Checks the motion after the impact against impulse theory and returns it.
 std::vector<Motion> impact(const std::vector<double>& radii, const std::vector<Motion>& before,
-                           double damping_ratio, bool stick_counts)
+                           const ContactProperties& pair, bool stick_counts)
 {
   std::vector<ClumpShape> shapes;
   for (const double radius : radii) shapes.push_back(ball(radius));
   const int n = shapes.size();
-  const ContactProperties pair = rough_contact(damping_ratio);
   Engine engine(shapes, pair, 0);
   if (n == 1) engine.add_wall(plane(pair));
   const double gap = 0.5 * v_n * dt, height[] = {radii[0] + gap, n == 2 ? -radii[1] : 0};
@@ -87,7 +87,7 @@ constexpr double limit = 3.5 * mu * v_n;                            // slips all
 TEST(SpinningImpact, TangentialVelocityVaried)
 {
   for (const double t : tangents)
-    impact({R}, {{Vector3(0.6 * t * limit, 0.8 * t * limit, -v_n), still}}, 0, true);
+    impact({R}, {{Vector3(0.6 * t * limit, 0.8 * t * limit, -v_n), still}}, elastic, true);
 }
 
 // Test 6: sphere on plane, spin varied; the part along the normal stays.
@@ -95,7 +95,7 @@ TEST(SpinningImpact, SpinVaried)
 {
   for (const double t : tangents) {
     const Vector3 spin = t * limit / R * Vector3(-0.8, 0.6, 0.3);
-    const Motion after = impact({R}, {{-v_n * z, spin}}, 0, true)[0];
+    const Motion after = impact({R}, {{-v_n * z, spin}}, elastic, true)[0];
     EXPECT_NEAR(after.spin.z(), spin.z(), 1e-9 * std::abs(spin.z()));
   }
 }
@@ -105,8 +105,8 @@ TEST(SpinningImpact, GrossSlipWithDashpots)
 {
   for (const double ratio : {0.05, 0.2, 0.5})
     for (const double t : {2.5, 5., 10.}) {
-      impact({R}, {{Vector3(t * limit, 0, -v_n), still}}, ratio, false);
-      impact({R}, {{-v_n * z, Vector3(0, t * limit / R, 0)}}, ratio, false);
+      impact({R}, {{Vector3(t * limit, 0, -v_n), still}}, rough_contact(ratio), false);
+      impact({R}, {{-v_n * z, Vector3(0, t * limit / R, 0)}}, rough_contact(ratio), false);
     }
 }
 
@@ -117,8 +117,8 @@ TEST(SpinningImpact, TwoEqualSpheres)
   const Vector3 fall = -0.5 * v_n * z;
   for (const double t : tangents) {
     const Vector3 spin(0, 0.5 * t * limit / R, 0);
-    impact({R, R}, {{fall, spin}, {-fall, spin}}, 0, true);
-    const auto after = impact({R, R}, {{fall, spin}, {-fall, -spin}}, 0, true);
+    impact({R, R}, {{fall, spin}, {-fall, spin}}, elastic, true);
+    const auto after = impact({R, R}, {{fall, spin}, {-fall, -spin}}, elastic, true);
     EXPECT_LT((after[0].spin - spin).norm(), 1e-9 * spin.norm());
     EXPECT_LT((after[1].spin + spin).norm(), 1e-9 * spin.norm());
   }
@@ -129,7 +129,7 @@ TEST(SpinningImpact, TwoDifferentSpheres)
 {
   for (const double t : tangents) {
     const Vector3 spin = t * limit / R * Vector3(0.6, -0.8, 0);
-    impact({R, 3 * R}, {{-v_n * z, spin}, {still, still}}, 0, true);
-    impact({3 * R, R}, {{-v_n * z, spin / 3}, {still, 0.5 * spin}}, 0, true);
+    impact({R, 3 * R}, {{-v_n * z, spin}, {still, still}}, elastic, true);
+    impact({3 * R, R}, {{-v_n * z, spin / 3}, {still, 0.5 * spin}}, elastic, true);
   }
 }
