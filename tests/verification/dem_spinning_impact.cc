@@ -110,6 +110,21 @@ TEST(SpinningImpact, GrossSlipWithDashpots)
     }
 }
 
+// The same with Hertz and Mindlin's law: glass, whose contact takes twenty times as long.
+TEST(SpinningImpact, GrossSlipOfElasticSpheres)
+{
+  for (const double ratio : {0., 0.1}) {
+    const ContactProperties glass = hertz_mindlin_pair({48e9, 0.2}, {48e9, 0.2}, mu, ratio);
+    for (const double t : {2.5, 5., 10.}) {
+      const Vector3 spin(0, t * limit / R, 0);
+      impact({R}, {{Vector3(t * limit, 0, -v_n), still}}, glass, false);
+      impact({R}, {{-v_n * z, spin}}, glass, false);
+      impact({R, R}, {{-0.5 * v_n * z, 0.5 * spin}, {0.5 * v_n * z, 0.5 * spin}}, glass, false);
+      impact({R, 3 * R}, {{-v_n * z, spin}, {still, still}}, glass, false);
+    }
+  }
+}
+
 // Test 7: two equal spheres. Surfaces that move alike (opposite spins) do not notice each other;
 // equal spins rub.
 TEST(SpinningImpact, TwoEqualSpheres)
