@@ -26,7 +26,6 @@ struct EnergyLedger {
   double elastic_geogrid = 0;  // now, strain energy of the beams
   double friction = 0;         // dissipated by sliding
   double contact_damping = 0;  // dissipated by contact dashpots
-  double contact_sharing = 0;  // taken out where contacts of a pair of bodies share their stiffness
   double local_damping = 0;    // dissipated by local damping of stones while they settle
   double geogrid_damping = 0;  // dissipated by mass damping of the geogrid
   double clamp_work = 0;       // done by the clamp on the geogrid

@@ -41,29 +41,36 @@ struct LaneRows {
       : i(l.i.data()), j(l.j.data()), centre1(l.centre1), centre2(l.centre2),
         radius1(l.radius1.row(0)), radius2(l.radius2.row(0)), mass(l.reduced_mass.row(0)),
         root_mass(l.root_mass.row(0)), radius(l.reduced_radius.row(0)),
-        next_share(l.next_share.row(0)), spring(l.spring), dashpot(l.dashpot),
-        overlap(l.overlap.row(0)), stiffness(l.tangential_stiffness.row(0)), share(l.share.row(0)),
+        shared_depth(l.shared_depth.row(0)), gradient(l.gradient.row(0)), spring(l.spring),
+        dashpot(l.dashpot), overlap(l.overlap.row(0)), stiffness(l.tangential_stiffness.row(0)),
         force(l.force), torque1(l.torque1), torque2(l.torque2), elastic(l.elastic.row(0)),
-        friction(l.friction.row(0)), damping(l.damping.row(0)), sharing(l.sharing.row(0))
+        friction(l.friction.row(0)), damping(l.damping.row(0))
   {
   }
   const int* __restrict i, * __restrict j;
   Rows3<const double> centre1, centre2;
   const double* __restrict radius1, * __restrict radius2;
   const double* __restrict mass, * __restrict root_mass, * __restrict radius;
-  const double* __restrict next_share;
+  const double* __restrict shared_depth, * __restrict gradient;
   Rows3<double> spring, dashpot;
-  double* __restrict overlap, * __restrict stiffness, * __restrict share;
+  double* __restrict overlap, * __restrict stiffness;
   Rows3<double> force, torque1, torque2;
-  double* __restrict elastic, * __restrict friction, * __restrict damping, * __restrict sharing;
+  double* __restrict elastic, * __restrict friction, * __restrict damping;
 
   INTERLOCK_LANE ContactConstants constants(int k) const
   {
     return {mass[k], root_mass[k], radius[k]};
   }
+  template <bool shared> INTERLOCK_LANE ContactShare share(int k) const
+  {
+    if constexpr (shared)
+      return {shared_depth[k], gradient[k]};
+    else
+      return {};
+  }
   INTERLOCK_LANE LaneHistory history(int k) const
   {
-    return {spring.get(k), dashpot.get(k), overlap[k], stiffness[k], share[k]};
+    return {spring.get(k), dashpot.get(k), overlap[k], stiffness[k]};
   }
   INTERLOCK_LANE void keep(int k, const LaneHistory& h) const
   {
@@ -71,16 +78,70 @@ struct LaneRows {
     dashpot.set(k, h.dashpot);
     overlap[k] = h.overlap;
     stiffness[k] = h.tangential_stiffness;
-    share[k] = h.share;
   }
   INTERLOCK_LANE void energy(int k, const LaneEnergy& e) const
   {
     elastic[k] = e.elastic;
     friction[k] = e.friction;
     damping[k] = e.damping;
-    sharing[k] = e.sharing;
   }
 };
+
+// Of a sphere against another one, world frame: returns the overlap, negative for a gap [m]; sets
+// `normal`, from the second body to the first, and `arm`, from the centre of mass of clump i to the
+// contact point in the middle of the overlap [m]. Plain numbers, since the compiler does not take
+// returned structures apart.
+INTERLOCK_LANE double pair_geometry(const BodyRows& bodies, const LaneRows& rows, int k,
+                                    Lane3& normal, Lane3& arm)
+{
+  const int i = rows.i[k], j = rows.j[k];
+  const Lane3 arm1 = rotate(bodies.attitude(i), rows.centre1.get(k));
+  const Lane3 arm2 = rotate(bodies.attitude(j), rows.centre2.get(k));
+  const Lane3 between = bodies.position(i) - bodies.position(j);
+  const Lane3 d = between + (arm1 - arm2);
+  const double square = dot(d, d);
+  const double distance = std::sqrt(square > 1e-300 ? square : 1e-300);
+  const double overlap = rows.radius1[k] + rows.radius2[k] - distance;
+  const double inverse = 1 / distance, depth = rows.radius1[k] - 0.5 * overlap;
+  normal.x = inverse * d.x, normal.y = inverse * d.y, normal.z = inverse * d.z;
+  arm.x = arm1.x - depth * normal.x, arm.y = arm1.y - depth * normal.y;
+  arm.z = arm1.z - depth * normal.z;
+  return overlap;
+}
+
+// A wall's rectangle, worked out once for all its lanes.
+struct WallPlane {
+  explicit WallPlane(const Wall& wall)
+      : corner(lane(wall.corner)), e1(lane(wall.edge1)), e2(lane(wall.edge2)), s1(1 / dot(e1, e1)),
+        s2(1 / dot(e2, e2))
+  {
+  }
+  Lane3 corner, e1, e2;
+  double s1, s2;
+};
+
+// The same of a sphere against a wall.
+INTERLOCK_LANE double wall_geometry(const BodyRows& bodies, const LaneRows& rows,
+                                    const WallPlane& wall, int k, Lane3& normal, Lane3& arm)
+{
+  const int i = rows.i[k];
+  const Lane3 arm1 = rotate(bodies.attitude(i), rows.centre1.get(k));
+  const Lane3 from_corner = (bodies.position(i) - wall.corner) + arm1;
+  double s = wall.s1 * dot(from_corner, wall.e1), t = wall.s2 * dot(from_corner, wall.e2);
+  s = s > 0 ? s : 0;
+  s = s < 1 ? s : 1;
+  t = t > 0 ? t : 0;
+  t = t < 1 ? t : 1;
+  const Lane3 d = from_corner - s * wall.e1 - t * wall.e2;
+  const double square = dot(d, d);
+  const double distance = std::sqrt(square > 1e-300 ? square : 1e-300);
+  const double overlap = rows.radius1[k] - distance;
+  const double inverse = 1 / distance, depth = rows.radius1[k] - 0.5 * overlap;
+  normal.x = inverse * d.x, normal.y = inverse * d.y, normal.z = inverse * d.z;
+  arm.x = arm1.x - depth * normal.x, arm.y = arm1.y - depth * normal.y;
+  arm.z = arm1.z - depth * normal.z;
+  return overlap;
+}
 
 template <bool shared, class Law>
 void pairs(const Clumps& clumps, const Law& law_of_pair, double dt, ContactLanes& lanes)
@@ -92,18 +153,10 @@ void pairs(const Clumps& clumps, const Law& law_of_pair, double dt, ContactLanes
 #pragma GCC ivdep
   for (int k = 0; k < n; ++k) {
     const int i = rows.i[k], j = rows.j[k];
-    const Lane3 x1 = bodies.position(i), x2 = bodies.position(j);
-    const Lane3 arm1 = rotate(bodies.attitude(i), rows.centre1.get(k));
-    const Lane3 arm2 = rotate(bodies.attitude(j), rows.centre2.get(k));
-    const Lane3 between = x1 - x2;
-    const Lane3 d = between + (arm1 - arm2);
-    const double square = dot(d, d);
-    const double distance = std::sqrt(square > 1e-300 ? square : 1e-300);
-    const double overlap = rows.radius1[k] + rows.radius2[k] - distance;
-    const Lane3 normal = (1 / distance) * d;
-    // The contact point is in the middle of the overlap, for both.
-    const Lane3 r2 = arm2 + (rows.radius2[k] - 0.5 * overlap) * normal;
-    const Lane3 r1 = r2 - between;
+    Lane3 normal, r1;
+    const double overlap = pair_geometry(bodies, rows, k, normal, r1);
+    // The contact point is the same for both.
+    const Lane3 r2 = r1 + (bodies.position(i) - bodies.position(j));
     const Lane3 w1 = bodies.spin(i), w2 = bodies.spin(j);
     const Lane3 relative =
         (bodies.velocity(i) - bodies.velocity(j)) + (cross(w1, r1) - cross(w2, r2));
@@ -111,9 +164,8 @@ void pairs(const Clumps& clumps, const Law& law_of_pair, double dt, ContactLanes
 
     LaneHistory history = rows.history(k);
     LaneEnergy energy;
-    const Lane3 force =
-        contact_force<shared>(law, rows.constants(k), overlap, normal, relative, twist,
-                              shared ? rows.next_share[k] : 1, dt, history, energy);
+    const Lane3 force = contact_force<shared>(law, rows.constants(k), overlap, normal, relative,
+                                              twist, rows.share<shared>(k), dt, history, energy);
     rows.keep(k, history);
     rows.force.set(k, force);
     rows.torque1.set(k, cross(r1, force));
@@ -129,38 +181,36 @@ void wall_lanes(const Clumps& clumps, const Law& law_of_wall, const Wall& wall, 
   const BodyRows bodies(clumps);
   const LaneRows rows(lanes);
   const Law law = law_of_wall;
-  const Lane3 corner = lane(wall.corner), e1 = lane(wall.edge1), e2 = lane(wall.edge2),
-              velocity = lane(wall.velocity);
-  const double s1 = 1 / dot(e1, e1), s2 = 1 / dot(e2, e2);
+  const WallPlane plane(wall);
+  const Lane3 velocity = lane(wall.velocity);
+  const int end = padded(segment.end); // whole registers, see component_arrays.h
 #pragma GCC ivdep
-  for (int k = segment.begin; k < segment.end; ++k) {
+  for (int k = segment.begin; k < end; ++k) {
     const int i = rows.i[k];
-    const Lane3 arm = rotate(bodies.attitude(i), rows.centre1.get(k));
-    const Lane3 from_corner = (bodies.position(i) - corner) + arm;
-    double s = s1 * dot(from_corner, e1), t = s2 * dot(from_corner, e2);
-    s = s > 0 ? s : 0;
-    s = s < 1 ? s : 1;
-    t = t > 0 ? t : 0;
-    t = t < 1 ? t : 1;
-    const Lane3 d = from_corner - s * e1 - t * e2;
-    const double square = dot(d, d);
-    const double distance = std::sqrt(square > 1e-300 ? square : 1e-300);
-    const double overlap = rows.radius1[k] - distance;
-    const Lane3 normal = (1 / distance) * d;
-    const Lane3 r = arm - (rows.radius1[k] - 0.5 * overlap) * normal;
+    Lane3 normal, r;
+    const double overlap = wall_geometry(bodies, rows, plane, k, normal, r);
     const Lane3 w = bodies.spin(i);
     const Lane3 relative = (bodies.velocity(i) - velocity) + cross(w, r);
 
     LaneHistory history = rows.history(k);
     LaneEnergy energy;
     const Lane3 force = contact_force<shared>(law, rows.constants(k), overlap, normal, relative,
-                                              0.5 * dt * dot(w, normal),
-                                              shared ? rows.next_share[k] : 1, dt, history, energy);
+                                              0.5 * dt * dot(w, normal), rows.share<shared>(k), dt,
+                                              history, energy);
     rows.keep(k, history);
     rows.force.set(k, force);
     rows.torque1.set(k, cross(r, force));
     rows.energy(k, energy);
   }
+}
+
+// Overlaps now, before the law, into lanes.elastic.
+template <class Overlap>
+void measure(ContactLanes& lanes, int begin, int end, const Overlap& overlap)
+{
+  double* __restrict result = lanes.elastic.row(0);
+#pragma GCC ivdep
+  for (int k = begin; k < end; ++k) result[k] = overlap(k);
 }
 
 // Calls f with the law that the properties name.
@@ -179,6 +229,14 @@ template <class Function> void with_law(const ContactProperties& pair, const Fun
 void evaluate_pairs(const Clumps& clumps, const ContactProperties& pair, double dt,
                     ContactLanes& lanes)
 {
+  if (pair.share_among_contacts) {
+    measure(lanes, 0, lanes.overlap.padded_size(),
+            [bodies = BodyRows(clumps), rows = LaneRows(lanes)](int k) {
+              Lane3 normal, arm;
+              return pair_geometry(bodies, rows, k, normal, arm);
+            });
+    share_contacts(0, lanes.size(), lanes);
+  }
   with_law(pair, [&](auto shared, const auto& law) {
     pairs<decltype(shared)::value>(clumps, law, dt, lanes);
   });
@@ -187,6 +245,14 @@ void evaluate_pairs(const Clumps& clumps, const ContactProperties& pair, double 
 void evaluate_wall(const Clumps& clumps, const Wall& wall, double dt, WallSegment segment,
                    ContactLanes& lanes)
 {
+  if (wall.contact.share_among_contacts) {
+    measure(lanes, segment.begin, padded(segment.end),
+            [bodies = BodyRows(clumps), rows = LaneRows(lanes), plane = WallPlane(wall)](int k) {
+              Lane3 normal, arm;
+              return wall_geometry(bodies, rows, plane, k, normal, arm);
+            });
+    share_contacts(segment.begin, segment.end, lanes);
+  }
   with_law(wall.contact, [&](auto shared, const auto& law) {
     wall_lanes<decltype(shared)::value>(clumps, law, wall, dt, segment, lanes);
   });
@@ -200,7 +266,6 @@ INTERLOCK_LANE void add_energy(const ContactLanes& lanes, int k, ContactEnergy& 
   energy.elastic += lanes.elastic[k];
   energy.friction += lanes.friction[k];
   energy.damping += lanes.damping[k];
-  energy.sharing += lanes.sharing[k];
 }
 } // namespace
 
@@ -257,19 +322,5 @@ int add_wall_forces(const ContactLanes& lanes, WallSegment segment, Clumps& clum
 double largest_overlap(const ContactLanes& lanes)
 {
   return lanes.size() > 0 ? *std::max_element(lanes.overlap.begin(), lanes.overlap.end()) : 0;
-}
-
-void update_shares(int begin, int end, ContactLanes& lanes)
-{
-  for (int k = begin; k < end;) {
-    double sum = 0, squares = 0;
-    int last = k;
-    for (; last < end && lanes.i[last] == lanes.i[k] && lanes.j[last] == lanes.j[k]; ++last) {
-      sum += lanes.overlap[last];
-      squares += lanes.overlap[last] * lanes.overlap[last];
-    }
-    const double share = sum > 0 ? squares / (sum * sum) : 1;
-    for (; k < last; ++k) lanes.next_share[k] = share;
-  }
 }
 } // namespace interlock::dem

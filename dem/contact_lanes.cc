@@ -11,8 +11,8 @@ void ContactLanes::resize(int n)
   for (VectorField* field : {&centre1, &centre2, &spring, &dashpot, &force, &torque1, &torque2})
     field->resize(n);
   for (ScalarField* field :
-       {&radius1, &radius2, &reduced_mass, &root_mass, &reduced_radius, &next_share, &overlap,
-        &tangential_stiffness, &share, &elastic, &friction, &damping, &sharing})
+       {&radius1, &radius2, &reduced_mass, &root_mass, &reduced_radius, &shared_depth, &gradient,
+        &overlap, &tangential_stiffness, &elastic, &friction, &damping})
     field->resize(n);
 }
 
@@ -47,8 +47,8 @@ void ContactLanes::copy_history(int k, const ContactLanes& from, int from_k)
   dashpot[k] = from.dashpot[from_k];
   overlap[k] = from.overlap[from_k];
   tangential_stiffness[k] = from.tangential_stiffness[from_k];
-  share[k] = from.share[from_k];
-  next_share[k] = from.next_share[from_k];
+  shared_depth[k] = from.shared_depth[from_k];
+  gradient[k] = from.gradient[from_k];
   force[k] = from.force[from_k];
   torque1[k] = from.torque1[from_k];
   torque2[k] = from.torque2[from_k];
@@ -57,7 +57,8 @@ void ContactLanes::copy_history(int k, const ContactLanes& from, int from_k)
 void ContactLanes::clear_history(int k)
 {
   for (VectorField* field : {&spring, &dashpot, &force, &torque1, &torque2}) (*field)[k].setZero();
-  overlap[k] = tangential_stiffness[k] = share[k] = 0;
-  next_share[k] = 1;
+  overlap[k] = tangential_stiffness[k] = 0;
+  shared_depth[k] = 0;
+  gradient[k] = 1;
 }
 } // namespace interlock::dem

@@ -30,16 +30,16 @@ public:
   VectorField centre1, centre2{Vector3::UnitX()}; // of the member spheres, body frames [m]
   ScalarField radius1{never_touching()}, radius2; // [m]
   ScalarField reduced_mass{one()}, root_mass{one()}, reduced_radius{one()}; // ContactConstants
-  ScalarField next_share{one()}; // of stiffness and dashpots at the next evaluation [-]
+  ScalarField shared_depth, gradient{one()}; // ContactShare of this step
 
   // LaneHistory.
   VectorField spring, dashpot;
-  ScalarField overlap, tangential_stiffness, share;
+  ScalarField overlap, tangential_stiffness;
 
   // On the clump i, world; torques about the centres of mass of i and of j [N], [N m].
   VectorField force, torque1, torque2;
   // LaneEnergy of the last evaluation.
-  ScalarField elastic, friction, damping, sharing;
+  ScalarField elastic, friction, damping;
 
   // Sets keys and constants of lane k; the history is left alone.
   void set_pair(int k, const ContactKey& key, const Clumps& clumps);
@@ -69,7 +69,7 @@ int add_wall_forces(const ContactLanes& lanes, WallSegment segment, Clumps& clum
 
 double largest_overlap(const ContactLanes& lanes); // [m]
 
-// Shares for the next step of lanes [begin, end): sum(overlap^2) / (sum overlap)^2 over the lanes
-// with the same i and j.
-void update_shares(int begin, int end, ContactLanes& lanes);
+// Sets the shares of lanes [begin, end) from their present overlaps, which are left in
+// lanes.elastic: lanes of the same i and j share one contact (contact_shares.cc).
+void share_contacts(int begin, int end, ContactLanes& lanes);
 } // namespace interlock::dem

@@ -26,13 +26,15 @@ double damping_ratio_for_restitution(double restitution)
   return -l / std::sqrt(M_PI * M_PI + l * l);
 }
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
-                     double spring, double share)
+                     double spring, const ContactShare& share)
 {
-  const double root = std::sqrt(reduced_radius * overlap);
+  const double depth = share.depth > 0 ? share.depth : overlap;
+  const double root = std::sqrt(reduced_radius * depth);
   const bool linear = pair.model == ContactModel::linear;
-  const double normal = linear ? 0.5 * pair.normal_stiffness * overlap * overlap
-                               : 8. / 15 * pair.effective_modulus * root * overlap * overlap;
+  const double normal = linear ? 0.5 * pair.normal_stiffness * depth
+                               : 8. / 15 * pair.effective_modulus * root * depth;
   const double k_t = linear ? pair.tangential_stiffness : 8 * pair.effective_shear_modulus * root;
-  return share * (normal + 0.5 * k_t * spring * spring);
+  return share.gradient * normal * overlap +
+         std::max(0., share.gradient) * 0.5 * k_t * spring * spring;
 }
 } // namespace interlock::dem

@@ -54,9 +54,15 @@ ContactProperties hertz_mindlin_pair(const Elastic& a, const Elastic& b, double 
 // -ln e / sqrt(pi^2 + ln^2 e): exact for impacts with tension, of either model. 0 < e <= 1.
 double damping_ratio_for_restitution(double restitution);
 
+// What one contact has of a contact that the same two bodies share (contact_shares.cc).
+struct ContactShare {
+  double depth = 0;    // overlap of the shared contact [m]
+  double gradient = 1; // of the depth by this contact's overlap: its part of the force [-]
+};
+
 // Energy in the springs of one contact [J]: normal `overlap` > 0 [m], tangential `spring` [m].
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
-                     double spring, double share);
+                     double spring, const ContactShare& share);
 
 // Springs in series [N/m].
 inline double series_stiffness(double k1, double k2)
@@ -70,7 +76,6 @@ struct ContactEnergy {
   double elastic = 0;
   double friction = 0; // slip, and what tangential springs lose when they become softer
   double damping = 0;
-  double sharing = 0; // taken out by changes of the share of a contact; may be negative
 };
 
 // What one contact is made of; constant while it is on a list.
@@ -86,7 +91,6 @@ struct LaneHistory {
   Lane3 dashpot{0, 0, 0};          // dissipative part of the last force [N]
   double overlap = 0;              // [m]
   double tangential_stiffness = 0; // of the last step [N/m]
-  double share = 0;                // of the last step [-]
 };
 
 // The law of a pair with everything that is the same for all its contacts worked out.
@@ -139,15 +143,14 @@ struct HertzMindlinLaw {
 };
 
 struct LaneEnergy {
-  double elastic = 0, friction = 0, damping = 0, sharing = 0;
+  double elastic = 0, friction = 0, damping = 0;
 };
 
 // Force on body 1, world frame [N]; exact zero, and the history cleared, when `overlap` is not
 // positive. `normal` points from body 2 to body 1; `relative_velocity` is that of body 1 against
 // body 2 at the contact point, in the middle of the step that led here [m/s]; `overlap`: negative
 // is a gap [m]; `twist`: mean spin of the two bodies along the normal times the step [rad];
-// `share`: of stiffness and dashpots, 1 for a contact on its own. Advances the history over `dt`
-// [s]; adds to `energy`.
+// `share`: see ContactShare. Advances the history over `dt` [s]; adds to `energy`.
 //
 // The tangential spring first turns with the contact: out of its old plane into the plane normal to
 // `normal`, keeping its length, and about the normal by `twist`. Where the stiffness changes, a
@@ -163,18 +166,17 @@ struct LaneEnergy {
 template <bool shared, class Law>
 INTERLOCK_LANE Lane3 contact_force(const Law& law, const ContactConstants& c, double overlap,
                                    Lane3 normal, Lane3 relative_velocity, double twist,
-                                   double share, double dt, LaneHistory& history,
+                                   ContactShare share, double dt, LaneHistory& history,
                                    LaneEnergy& energy)
 {
   const bool touching = overlap > 0;
   const double depth = touching ? overlap : 0;
   double elastic_n, k_t, c_n, c_t;
-  law.at(depth, c, elastic_n, k_t, c_n, c_t);
+  law.at(shared && touching ? share.depth : depth, c, elastic_n, k_t, c_n, c_t);
   if constexpr (shared) {
-    elastic_n *= share;
-    k_t *= share;
-    c_n *= share;
-    c_t *= share;
+    const double rest = share.gradient > 0 ? share.gradient : 0;
+    k_t *= rest;
+    c_t *= rest;
   }
 
   // Turn the spring. One division serves its length and the time of opening.
@@ -203,7 +205,11 @@ INTERLOCK_LANE Lane3 contact_force(const Law& law, const ContactConstants& c, do
 
   const double v_n = dot(relative_velocity, normal);
   const double viscous_n = elastic_n - c_n * v_n;
-  const double f_n = viscous_n > law.lowest_force ? viscous_n : law.lowest_force;
+  double f_n = viscous_n > law.lowest_force ? viscous_n : law.lowest_force;
+  if constexpr (shared) {
+    elastic_n *= share.gradient;
+    f_n *= share.gradient;
+  }
   const Lane3 v_t = relative_velocity - v_n * normal;
   const Lane3 trial = spring + dt * v_t;
   const Lane3 wanted = -k_t * trial - c_t * v_t;
@@ -227,17 +233,10 @@ INTERLOCK_LANE Lane3 contact_force(const Law& law, const ContactConstants& c, do
   energy.friction += touching ? slipped + lost : 0.5 * history.tangential_stiffness * old_square;
   const double stored = Law::energy_factor * elastic_n * depth + 0.5 * k_t * dot(held, held);
   energy.elastic += touching ? stored : 0;
-  if constexpr (shared) {
-    // Of the normal spring, see docs/theory/engine.md: U(new) - U(old) is not the work alone.
-    const double change = share > 0 ? (1 - history.share / share) : 0;
-    energy.sharing -= touching ? change * Law::energy_factor * elastic_n * history.overlap : 0;
-  }
-
   history.spring = {touching ? held.x : 0, touching ? held.y : 0, touching ? held.z : 0};
   history.dashpot = {touching ? dashpot.x : 0, touching ? dashpot.y : 0, touching ? dashpot.z : 0};
   history.overlap = depth;
   history.tangential_stiffness = touching ? k_t : 0;
-  history.share = touching ? share : 0;
   const Lane3 force = f_n * normal + f_t;
   return {touching ? force.x : 0, touching ? force.y : 0, touching ? force.z : 0};
 }
@@ -270,11 +269,11 @@ INTERLOCK_LANE Vector3 linear_contact_force(const ContactProperties& pair, doubl
                                             ContactHistory& history, ContactEnergy& energy)
 {
   LaneHistory h{lane(history.spring), lane(history.dashpot), history.overlap,
-                pair.tangential_stiffness, 1};
+                pair.tangential_stiffness};
   LaneEnergy e;
   const Lane3 force =
       contact_force<false>(LinearLaw(pair), {reduced_mass, std::sqrt(reduced_mass), 0}, overlap,
-                           lane(normal), lane(relative_velocity), 0, 1, time_step, h, e);
+                           lane(normal), lane(relative_velocity), 0, {}, time_step, h, e);
   history = {vector(h.spring), h.overlap, vector(h.dashpot)};
   energy.elastic += e.elastic;
   energy.friction += e.friction;

@@ -64,7 +64,7 @@ void Engine::replace_walls(int first, const std::vector<Wall>& walls)
       for (std::size_t a = 0; a < spheres.size(); ++a) {
         const Vector3 x = clumps_.position[i] + clumps_.member_offset(i, a);
         const double depth = spheres[a].radius - (x - wall.nearest_point(x)).norm();
-        if (depth > 0) inserted_ += stored_energy(wall.contact, depth, spheres[a].radius, 0, 1);
+        if (depth > 0) inserted_ += stored_energy(wall.contact, depth, spheres[a].radius, 0, {});
       }
     }
 }
@@ -81,14 +81,12 @@ void Engine::compute_forces(double dt)
   ContactLanes& pairs = lists_.pair_lanes();
   evaluate_pairs(clumps_, stone_on_stone_, dt, pairs);
   n_touching_ = add_pair_forces(pairs, clumps_, contact_energy_);
-  if (stone_on_stone_.share_among_contacts) update_shares(0, pairs.size(), pairs);
   ContactLanes& at_walls = lists_.wall_lanes();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall& wall = walls_[w];
     const WallSegment segment = lists_.wall_segments()[w];
     evaluate_wall(clumps_, wall, dt, segment, at_walls);
     add_wall_forces(at_walls, segment, clumps_, wall, contact_energy_);
-    if (wall.contact.share_among_contacts) update_shares(segment.begin, segment.end, at_walls);
     wall_work_ -= dt * wall.force.dot(wall.velocity);
   }
   profile_.lists += seconds(start, listed);

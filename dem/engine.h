@@ -45,7 +45,7 @@ struct SphereContact {
   Vector3 point = Vector3::Zero(); // mid-overlap, at the present poses [m]
   double overlap = 0;              // zero when not touching [m]
   ContactHistory history;          // of i against j
-  double share = 1;                // of stiffness and dashpots [-]
+  ContactShare share;
 };
 
 // The same of a clump and a wall.
@@ -56,7 +56,7 @@ struct WallContact {
   Vector3 point = Vector3::Zero();
   double overlap = 0;
   ContactHistory history; // of the clump against the wall
-  double share = 1;
+  ContactShare share;
 };
 
 // Time spent in the parts of the steps since the last reset [s].

@@ -43,6 +43,12 @@ ContactHistory history_of(const ContactLanes& lanes, int k)
 {
   return {lanes.spring[k], lanes.overlap[k], lanes.dashpot[k]};
 }
+
+ContactShare share_of(const ContactLanes& lanes, int k)
+{
+  if (lanes.overlap[k] <= 0 || lanes.shared_depth[k] <= 0) return {};
+  return {lanes.shared_depth[k], lanes.gradient[k]};
+}
 } // namespace
 
 std::vector<SphereContact> Engine::sphere_contacts() const
@@ -56,7 +62,7 @@ std::vector<SphereContact> Engine::sphere_contacts() const
     c.touching = c.overlap > 0;
     c.force = lanes.force[k];
     c.history = history_of(lanes, k);
-    c.share = c.touching ? lanes.share[k] : 1;
+    c.share = share_of(lanes, k);
     const double rb = clumps_.shape_of(c.j).spheres[c.b].radius;
     const Vector3 xb = clumps_.position[c.j] + clumps_.member_offset(c.j, c.b);
     const Overlap o = overlap_of(clumps_.position[c.i] + clumps_.member_offset(c.i, c.a) - xb,
@@ -80,7 +86,7 @@ std::vector<WallContact> Engine::wall_contacts() const
       c.touching = c.overlap > 0;
       c.force = lanes.force[k];
       c.history = history_of(lanes, k);
-      c.share = c.touching ? lanes.share[k] : 1;
+      c.share = share_of(lanes, k);
       const Vector3 x = clumps_.position[c.i] + clumps_.member_offset(c.i, c.a);
       const Vector3 nearest = walls_[w].nearest_point(x);
       const Overlap o = overlap_of(x - nearest, clumps_.shape_of(c.i).spheres[c.a].radius);
@@ -127,14 +133,13 @@ StableStep Engine::stable_step(const RibContacts* ribs) const
   for (const SphereContact& c : sphere_contacts()) {
     if (!c.touching) continue;
     const double ra = radius(c.i, c.a), rb = radius(c.j, c.b);
-    const double k = c.share * largest_stiffness(stone_on_stone_, c.overlap, ra * rb / (ra + rb));
+    const double k = largest_stiffness(stone_on_stone_, c.overlap, ra * rb / (ra + rb));
     add(c.i, c.point, k);
     add(c.j, c.point, k);
   }
   for (const WallContact& c : wall_contacts())
     if (c.touching)
-      add(c.i, c.point,
-          c.share * largest_stiffness(walls_[c.wall].contact, c.overlap, radius(c.i, c.a)));
+      add(c.i, c.point, largest_stiffness(walls_[c.wall].contact, c.overlap, radius(c.i, c.a)));
   if (ribs)
     for (const RibContact& c : ribs->contacts())
       if (c.overlap > 0) add(c.i, c.point, largest_stiffness(ribs->properties(), c.overlap, 0));
