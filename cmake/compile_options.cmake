@@ -15,9 +15,9 @@ target_compile_options(interlock_options INTERFACE
 if(INTERLOCK_NATIVE)
   target_compile_options(interlock_options INTERFACE -march=native)
   # The contact law reads the state of two clumps for each lane. Single loads beat gather instructions,
-  # and registers of 256 bits beat those of 512 (docs/performance.md).
+  # and full registers beat halves (docs/performance.md).
   include(CheckCXXCompilerFlag)
-  foreach(flag -mprefer-vector-width=256 -mtune-ctrl=^use_gather)
+  foreach(flag -mprefer-vector-width=512 -mtune-ctrl=^use_gather)
     string(MAKE_C_IDENTIFIER ${flag} name)
     check_cxx_compiler_flag(${flag} COMPILER_TAKES${name})
     if(COMPILER_TAKES${name})

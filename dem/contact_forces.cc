@@ -19,10 +19,13 @@ struct BodyRows {
   const double* __restrict vx, * __restrict vy, * __restrict vz;
   const double* __restrict wx, * __restrict wy, * __restrict wz;
 
-  INTERLOCK_LANE Lane3 position(int i) const { return {x[i], y[i], z[i]}; }
-  INTERLOCK_LANE LaneQuaternion attitude(int i) const { return {qx[i], qy[i], qz[i], qw[i]}; }
-  INTERLOCK_LANE Lane3 velocity(int i) const { return {vx[i], vy[i], vz[i]}; }
-  INTERLOCK_LANE Lane3 spin(int i) const { return {wx[i], wy[i], wz[i]}; }
+  INTERLOCK_LANE Lane3 position(std::int64_t i) const { return {x[i], y[i], z[i]}; }
+  INTERLOCK_LANE LaneQuaternion attitude(std::int64_t i) const
+  {
+    return {qx[i], qy[i], qz[i], qw[i]};
+  }
+  INTERLOCK_LANE Lane3 velocity(std::int64_t i) const { return {vx[i], vy[i], vz[i]}; }
+  INTERLOCK_LANE Lane3 spin(std::int64_t i) const { return {wx[i], wy[i], wz[i]}; }
 };
 
 template <class Number> struct Rows3 {
@@ -31,8 +34,8 @@ template <class Number> struct Rows3 {
   {
   }
   Number* __restrict x, * __restrict y, * __restrict z;
-  INTERLOCK_LANE Lane3 get(int k) const { return {x[k], y[k], z[k]}; }
-  INTERLOCK_LANE void set(int k, Lane3 a) const { x[k] = a.x, y[k] = a.y, z[k] = a.z; }
+  INTERLOCK_LANE Lane3 get(std::int64_t k) const { return {x[k], y[k], z[k]}; }
+  INTERLOCK_LANE void set(std::int64_t k, Lane3 a) const { x[k] = a.x, y[k] = a.y, z[k] = a.z; }
 };
 
 // Rows of the lanes.
@@ -47,7 +50,7 @@ struct LaneRows {
         friction(l.friction.row(0)), damping(l.damping.row(0))
   {
   }
-  const int* __restrict i, * __restrict j;
+  const std::int64_t* __restrict i, * __restrict j;
   Rows3<const double> centre1, centre2;
   const double* __restrict radius1, * __restrict radius2;
   const double* __restrict mass, * __restrict root_mass, * __restrict radius;
@@ -57,29 +60,29 @@ struct LaneRows {
   Rows3<double> force, torque1, torque2;
   double* __restrict elastic, * __restrict friction, * __restrict damping;
 
-  INTERLOCK_LANE ContactConstants constants(int k) const
+  INTERLOCK_LANE ContactConstants constants(std::int64_t k) const
   {
     return {mass[k], root_mass[k], radius[k]};
   }
-  template <bool shared> INTERLOCK_LANE ContactShare share(int k) const
+  template <bool shared> INTERLOCK_LANE ContactShare share(std::int64_t k) const
   {
     if constexpr (shared)
       return {shared_depth[k], gradient[k]};
     else
       return {};
   }
-  INTERLOCK_LANE LaneHistory history(int k) const
+  INTERLOCK_LANE LaneHistory history(std::int64_t k) const
   {
     return {spring.get(k), dashpot.get(k), overlap[k], stiffness[k]};
   }
-  INTERLOCK_LANE void keep(int k, const LaneHistory& h) const
+  INTERLOCK_LANE void keep(std::int64_t k, const LaneHistory& h) const
   {
     spring.set(k, h.spring);
     dashpot.set(k, h.dashpot);
     overlap[k] = h.overlap;
     stiffness[k] = h.tangential_stiffness;
   }
-  INTERLOCK_LANE void energy(int k, const LaneEnergy& e) const
+  INTERLOCK_LANE void energy(std::int64_t k, const LaneEnergy& e) const
   {
     elastic[k] = e.elastic;
     friction[k] = e.friction;
@@ -91,16 +94,16 @@ struct LaneRows {
 // `normal`, from the second body to the first, and `arm`, from the centre of mass of clump i to the
 // contact point in the middle of the overlap [m]. Plain numbers, since the compiler does not take
 // returned structures apart.
-INTERLOCK_LANE double pair_geometry(const BodyRows& bodies, const LaneRows& rows, int k,
+INTERLOCK_LANE double pair_geometry(const BodyRows& bodies, const LaneRows& rows, std::int64_t k,
                                     Lane3& normal, Lane3& arm)
 {
-  const int i = rows.i[k], j = rows.j[k];
+  const std::int64_t i = rows.i[k], j = rows.j[k];
   const Lane3 arm1 = rotate(bodies.attitude(i), rows.centre1.get(k));
   const Lane3 arm2 = rotate(bodies.attitude(j), rows.centre2.get(k));
   const Lane3 between = bodies.position(i) - bodies.position(j);
   const Lane3 d = between + (arm1 - arm2);
   const double square = dot(d, d);
-  const double distance = std::sqrt(square > 1e-300 ? square : 1e-300);
+  const double distance = std::sqrt(square + 1e-300);
   const double overlap = rows.radius1[k] + rows.radius2[k] - distance;
   const double inverse = 1 / distance, depth = rows.radius1[k] - 0.5 * overlap;
   normal.x = inverse * d.x, normal.y = inverse * d.y, normal.z = inverse * d.z;
@@ -122,9 +125,10 @@ struct WallPlane {
 
 // The same of a sphere against a wall.
 INTERLOCK_LANE double wall_geometry(const BodyRows& bodies, const LaneRows& rows,
-                                    const WallPlane& wall, int k, Lane3& normal, Lane3& arm)
+                                    const WallPlane& wall, std::int64_t k, Lane3& normal,
+                                    Lane3& arm)
 {
-  const int i = rows.i[k];
+  const std::int64_t i = rows.i[k];
   const Lane3 arm1 = rotate(bodies.attitude(i), rows.centre1.get(k));
   const Lane3 from_corner = (bodies.position(i) - wall.corner) + arm1;
   double s = wall.s1 * dot(from_corner, wall.e1), t = wall.s2 * dot(from_corner, wall.e2);
@@ -134,7 +138,7 @@ INTERLOCK_LANE double wall_geometry(const BodyRows& bodies, const LaneRows& rows
   t = t < 1 ? t : 1;
   const Lane3 d = from_corner - s * wall.e1 - t * wall.e2;
   const double square = dot(d, d);
-  const double distance = std::sqrt(square > 1e-300 ? square : 1e-300);
+  const double distance = std::sqrt(square + 1e-300);
   const double overlap = rows.radius1[k] - distance;
   const double inverse = 1 / distance, depth = rows.radius1[k] - 0.5 * overlap;
   normal.x = inverse * d.x, normal.y = inverse * d.y, normal.z = inverse * d.z;
@@ -151,8 +155,8 @@ void pairs(const Clumps& clumps, const Law& law_of_pair, double dt, ContactLanes
   const Law law = law_of_pair;
   const int n = lanes.overlap.padded_size();
 #pragma GCC ivdep
-  for (int k = 0; k < n; ++k) {
-    const int i = rows.i[k], j = rows.j[k];
+  for (std::int64_t k = 0; k < n; ++k) {
+    const std::int64_t i = rows.i[k], j = rows.j[k];
     Lane3 normal, r1;
     const double overlap = pair_geometry(bodies, rows, k, normal, r1);
     // The contact point is the same for both.
@@ -185,8 +189,8 @@ void wall_lanes(const Clumps& clumps, const Law& law_of_wall, const Wall& wall, 
   const Lane3 velocity = lane(wall.velocity);
   const int end = padded(segment.end); // whole registers, see component_arrays.h
 #pragma GCC ivdep
-  for (int k = segment.begin; k < end; ++k) {
-    const int i = rows.i[k];
+  for (std::int64_t k = segment.begin; k < end; ++k) {
+    const std::int64_t i = rows.i[k];
     Lane3 normal, r;
     const double overlap = wall_geometry(bodies, rows, plane, k, normal, r);
     const Lane3 w = bodies.spin(i);
@@ -210,7 +214,7 @@ void measure(ContactLanes& lanes, int begin, int end, const Overlap& overlap)
 {
   double* __restrict result = lanes.elastic.row(0);
 #pragma GCC ivdep
-  for (int k = begin; k < end; ++k) result[k] = overlap(k);
+  for (std::int64_t k = begin; k < end; ++k) result[k] = overlap(k);
 }
 
 // Calls f with the law that the properties name.
@@ -231,7 +235,7 @@ void evaluate_pairs(const Clumps& clumps, const ContactProperties& pair, double 
 {
   if (pair.share_among_contacts) {
     measure(lanes, 0, lanes.overlap.padded_size(),
-            [bodies = BodyRows(clumps), rows = LaneRows(lanes)](int k) {
+            [bodies = BodyRows(clumps), rows = LaneRows(lanes)](std::int64_t k) {
               Lane3 normal, arm;
               return pair_geometry(bodies, rows, k, normal, arm);
             });
@@ -247,7 +251,8 @@ void evaluate_wall(const Clumps& clumps, const Wall& wall, double dt, WallSegmen
 {
   if (wall.contact.share_among_contacts) {
     measure(lanes, segment.begin, padded(segment.end),
-            [bodies = BodyRows(clumps), rows = LaneRows(lanes), plane = WallPlane(wall)](int k) {
+            [bodies = BodyRows(clumps), rows = LaneRows(lanes),
+             plane = WallPlane(wall)](std::int64_t k) {
               Lane3 normal, arm;
               return wall_geometry(bodies, rows, plane, k, normal, arm);
             });
@@ -261,7 +266,7 @@ void evaluate_wall(const Clumps& clumps, const Wall& wall, double dt, WallSegmen
 namespace
 {
 // What a contact that has just opened lost counts, too.
-INTERLOCK_LANE void add_energy(const ContactLanes& lanes, int k, ContactEnergy& energy)
+INTERLOCK_LANE void add_energy(const ContactLanes& lanes, std::int64_t k, ContactEnergy& energy)
 {
   energy.elastic += lanes.elastic[k];
   energy.friction += lanes.friction[k];
@@ -269,30 +274,25 @@ INTERLOCK_LANE void add_energy(const ContactLanes& lanes, int k, ContactEnergy& 
 }
 } // namespace
 
+// Without branches: a lane that does not touch adds zeros. Runs of one clump, kept in registers,
+// cost more in mispredicted ends than they save.
 int add_pair_forces(const ContactLanes& lanes, Clumps& clumps, ContactEnergy& energy)
 {
-  const double *overlap = lanes.overlap.row(0), *damping = lanes.damping.row(0);
+  const double* overlap = lanes.overlap.row(0);
   const Rows3<const double> f(lanes.force), t1(lanes.torque1), t2(lanes.torque2);
   const Rows3<double> force(clumps.force), torque(clumps.torque);
   const int n = lanes.size();
   int touching = 0;
   ContactEnergy all = energy;
-  for (int k = 0; k < n;) {
-    // The lanes of clump i follow one another.
-    const int i = lanes.i[k];
-    Lane3 sum{0, 0, 0}, moment{0, 0, 0};
-    for (; k < n && lanes.i[k] == i; ++k) {
-      if (overlap[k] <= 0 && damping[k] == 0) continue;
-      add_energy(lanes, k, all);
-      touching += overlap[k] > 0;
-      const int j = lanes.j[k];
-      sum = sum + f.get(k);
-      moment = moment + t1.get(k);
-      force.set(j, force.get(j) - f.get(k));
-      torque.set(j, torque.get(j) + t2.get(k));
-    }
-    force.set(i, force.get(i) + sum);
-    torque.set(i, torque.get(i) + moment);
+  for (int k = 0; k < n; ++k) {
+    const std::int64_t i = lanes.i[k], j = lanes.j[k];
+    const Lane3 here = f.get(k);
+    force.set(i, force.get(i) + here);
+    torque.set(i, torque.get(i) + t1.get(k));
+    force.set(j, force.get(j) - here);
+    torque.set(j, torque.get(j) + t2.get(k));
+    add_energy(lanes, k, all);
+    touching += overlap[k] > 0;
   }
   energy = all;
   return touching;
@@ -301,16 +301,15 @@ int add_pair_forces(const ContactLanes& lanes, Clumps& clumps, ContactEnergy& en
 int add_wall_forces(const ContactLanes& lanes, WallSegment segment, Clumps& clumps, Wall& wall,
                     ContactEnergy& energy)
 {
-  const double *overlap = lanes.overlap.row(0), *damping = lanes.damping.row(0);
+  const double* overlap = lanes.overlap.row(0);
   const Rows3<const double> f(lanes.force), t(lanes.torque1);
   const Rows3<double> force(clumps.force), torque(clumps.torque);
   int touching = 0;
   Lane3 sum{0, 0, 0};
-  for (int k = segment.begin; k < segment.end; ++k) {
-    if (overlap[k] <= 0 && damping[k] == 0) continue;
+  for (std::int64_t k = segment.begin; k < segment.end; ++k) {
     add_energy(lanes, k, energy);
     touching += overlap[k] > 0;
-    const int i = lanes.i[k];
+    const std::int64_t i = lanes.i[k];
     force.set(i, force.get(i) + f.get(k));
     torque.set(i, torque.get(i) + t.get(k));
     sum = sum - f.get(k);

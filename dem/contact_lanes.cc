@@ -4,10 +4,11 @@ namespace interlock::dem
 {
 void ContactLanes::resize(int n)
 {
-  for (std::vector<int>* index : {&i, &j, &a, &b}) {
-    index->resize(padded(n));
-    std::fill(index->begin() + std::min<std::size_t>(n, index->size()), index->end(), 0);
-  }
+  const auto resize_index = [n](auto& index) {
+    index.resize(padded(n));
+    std::fill(index.begin() + n, index.end(), 0);
+  };
+  resize_index(i), resize_index(j), resize_index(a), resize_index(b);
   for (VectorField* field : {&centre1, &centre2, &spring, &dashpot, &force, &torque1, &torque2})
     field->resize(n);
   for (ScalarField* field :

@@ -169,6 +169,7 @@ INTERLOCK_LANE Lane3 contact_force(const Law& law, const ContactConstants& c, do
                                    ContactShare share, double dt, LaneHistory& history,
                                    LaneEnergy& energy)
 {
+  constexpr bool stiffness_changes = shared || Law::stiffness_changes;
   const bool touching = overlap > 0;
   const double depth = touching ? overlap : 0;
   double elastic_n, k_t, c_n, c_t;
@@ -178,29 +179,35 @@ INTERLOCK_LANE Lane3 contact_force(const Law& law, const ContactConstants& c, do
     k_t *= rest;
     c_t *= rest;
   }
+  const double soft = k_t > 0 ? -1 / k_t : 0;
+  // All forces of an open contact vanish with these.
+  k_t = touching ? k_t : 0;
+  c_n = touching ? c_n : 0;
+  c_t = touching ? c_t : 0;
 
-  // Turn the spring. One division serves its length and the time of opening.
+  // Turn the spring. One division serves its length and the time of opening; nothing here is so
+  // small that the guards against 0/0 matter.
   const double gap = touching ? 0 : -overlap;
   const double old_square = dot(history.spring, history.spring);
   Lane3 spring = history.spring - dot(normal, history.spring) * normal;
   spring = spring + twist * cross(normal, spring);
-  const double new_square = dot(spring, spring);
-  const double opening = history.overlap + gap;
-  const double d1 = new_square > 0 ? new_square : 1, d2 = opening > 0 ? opening : 1;
+  const double d1 = dot(spring, spring) + 1e-60, d2 = history.overlap + gap + 1e-30;
   const double inverse = 1 / (d1 * d2);
   // sqrt(1 + x) of a small x; whoever turns a contact by a right angle in one step has other
   // worries.
   double x = old_square * (d2 * inverse) - 1;
   x = x < 1 ? x : 1;
   const double stretch = 1 + x * (0.5 + x * (-0.125 + x * 0.0625));
-  spring = (new_square > 0 ? stretch : 1) * spring;
+  spring = stretch * spring;
 
-  double lost = 0;
-  if constexpr (shared || Law::stiffness_changes) {
-    const double before = history.tangential_stiffness;
+  double before = 0, lost = 0;
+  if constexpr (stiffness_changes) {
+    before = history.tangential_stiffness;
     const double keep = before < k_t ? before / k_t : 1;
     lost = 0.5 * old_square * (before - k_t * keep * keep);
     spring = keep * spring;
+  } else {
+    lost = touching ? 0 : 0.5 * law.k_t * old_square;
   }
 
   const double v_n = dot(relative_velocity, normal);
@@ -217,28 +224,24 @@ INTERLOCK_LANE Lane3 contact_force(const Law& law, const ContactConstants& c, do
   const double square = dot(wanted, wanted);
   const bool slides = square > limit * limit;
   // Sliding: the whole force is friction, and the spring is what holds it.
-  const double scale = slides ? limit / std::sqrt(square > 0 ? square : 1) : 1;
+  const double scale = slides ? limit / std::sqrt(square + 1e-200) : 1;
   const Lane3 f_t = scale * wanted;
-  const double soft = k_t > 0 ? -1 / k_t : 0;
-  const Lane3 held = slides ? soft * f_t : trial;
+  const double from_force = slides ? soft : 0, from_trial = touching && !slides ? 1 : 0;
+  const Lane3 held = from_force * f_t + from_trial * trial;
   const double c_left = slides ? 0 : c_t;
   const Lane3 dashpot = (elastic_n - f_n) * normal + c_left * v_t;
-  const Lane3 slip = trial - held, mean2 = spring + held;
-  const double slipped = 0.5 * k_t * dot(mean2, slip);
 
   // Over the share of the step in which the contact touched.
   const double part = touching ? 1 : history.overlap * (d1 * inverse);
-  const Lane3 last = touching ? history.dashpot + dashpot : history.dashpot;
-  energy.damping += 0.5 * part * dt * dot(last, relative_velocity);
-  energy.friction += touching ? slipped + lost : 0.5 * history.tangential_stiffness * old_square;
-  const double stored = Law::energy_factor * elastic_n * depth + 0.5 * k_t * dot(held, held);
-  energy.elastic += touching ? stored : 0;
-  history.spring = {touching ? held.x : 0, touching ? held.y : 0, touching ? held.z : 0};
-  history.dashpot = {touching ? dashpot.x : 0, touching ? dashpot.y : 0, touching ? dashpot.z : 0};
+  energy.damping += 0.5 * part * dt * dot(history.dashpot + dashpot, relative_velocity);
+  energy.friction += 0.5 * k_t * dot(spring + held, trial - held) + lost;
+  energy.elastic += Law::energy_factor * elastic_n * depth + 0.5 * k_t * dot(held, held);
+
+  history.spring = {held.x, held.y, held.z};
+  history.dashpot = {dashpot.x, dashpot.y, dashpot.z};
   history.overlap = depth;
-  history.tangential_stiffness = touching ? k_t : 0;
-  const Lane3 force = f_n * normal + f_t;
-  return {touching ? force.x : 0, touching ? force.y : 0, touching ? force.z : 0};
+  history.tangential_stiffness = k_t;
+  return f_n * normal + f_t;
 }
 
 // One contact at a time, for ribs and mesh walls: the same law with Eigen's vectors.
