@@ -6,4 +6,5 @@
 namespace interlock::apps
 {
 const char* pull_out_template(); // cases/pullout/pullout.prm
+const char* packing_template();  // cases/benchmark/w1.prm
 } // namespace interlock::apps

@@ -4,6 +4,7 @@
 
 #include "coupling/check_parameters.h"
 #include "coupling/monitor.h"
+#include "coupling/packing_parameters.h"
 #include "coupling/parameter_table.h"
 #include "coupling/pull_out_parameters.h"
 #include "coupling/summary.h"
@@ -16,7 +17,7 @@
 
 namespace interlock::apps
 {
-using ExperimentParameters = std::variant<coupling::PullOutParameters>;
+using ExperimentParameters = std::variant<coupling::PullOutParameters, coupling::PackingParameters>;
 
 // An experiment that has accepted its parameters. Writes its files into `output`, which must exist.
 using ReadyExperiment = std::function<coupling::Summary(const std::filesystem::path& output)>;

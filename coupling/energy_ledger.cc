@@ -56,6 +56,20 @@ std::vector<std::pair<std::string, double>> EnergyLedger::entries() const
   return result;
 }
 
+EnergyLedger ledger_of(const dem::EngineEnergy& stones)
+{
+  EnergyLedger ledger;
+  ledger.kinetic_stones = stones.kinetic;
+  ledger.gravitational = stones.gravitational;
+  ledger.elastic_contacts = stones.contact.elastic;
+  ledger.friction = stones.contact.friction;
+  ledger.contact_damping = stones.contact.damping;
+  ledger.local_damping = stones.local_damping;
+  ledger.wall_work = stones.wall_work;
+  ledger.inserted = stones.inserted;
+  return ledger;
+}
+
 EnergyLedger difference(const EnergyLedger& end, const EnergyLedger& begin)
 {
   EnergyLedger result;

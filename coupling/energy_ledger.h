@@ -2,12 +2,18 @@
 // stored plus what was dissipated.
 #pragma once
 
+#include "dem/engine.h"
+
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace interlock::coupling
 {
+// Errors of a run's ledger over the work put in: beyond the first it warns, beyond the second it
+// has failed [-].
+constexpr double ledger_bound = 0.01, ledger_failure = 0.1;
+
 // All in J. "Since the start" unless it says now.
 struct EnergyLedger {
   double kinetic_stones = 0;   // now
@@ -42,6 +48,9 @@ struct EnergyLedger {
   // Names and values in the order above, for tables and files.
   std::vector<std::pair<std::string, double>> entries() const;
 };
+
+// What the stones, the box and their contacts have: the entries of the geogrid are zero.
+EnergyLedger ledger_of(const dem::EngineEnergy& stones);
 
 // Entry by entry `end` minus `begin`: the ledger of one stage. Amounts "now" become changes.
 EnergyLedger difference(const EnergyLedger& end, const EnergyLedger& begin);

@@ -11,10 +11,6 @@ namespace interlock::coupling
 {
 namespace
 {
-// Errors of the ledger over the work put in: beyond the first the run warns, beyond the second it
-// has failed [-].
-constexpr double ledger_bound = 0.01, ledger_failure = 0.1;
-
 std::string sentence(const char* format, double a, double b)
 {
   char buffer[256];

@@ -114,16 +114,7 @@ void StaggeredStep::end_mean_motion()
 
 void StaggeredStep::book(EnergyLedger& ledger, double dt) const
 {
-  ledger = EnergyLedger();
-  const dem::EngineEnergy stones = engine_.energy(dt);
-  ledger.kinetic_stones = stones.kinetic;
-  ledger.gravitational = stones.gravitational;
-  ledger.elastic_contacts = stones.contact.elastic;
-  ledger.friction = stones.contact.friction;
-  ledger.contact_damping = stones.contact.damping;
-  ledger.local_damping = stones.local_damping;
-  ledger.wall_work = stones.wall_work;
-  ledger.inserted = stones.inserted;
+  ledger = ledger_of(engine_.energy(dt));
   if (!geogrid_) return;
 
   ledger.elastic_contacts += rib_energy_.elastic;

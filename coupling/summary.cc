@@ -17,14 +17,6 @@ nlohmann::ordered_json to_json(const StageSummary& stage)
           {"wall_time_s", stage.wall_time}};
 }
 
-// JSON numbers are doubles to many readers, which would lose digits of a hash.
-std::string hexadecimal(const std::uint64_t value)
-{
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << value;
-  return text.str();
-}
-
 // An empty member must be {} in the file, not null.
 nlohmann::ordered_json object(const nlohmann::ordered_json& value)
 {
@@ -32,29 +24,37 @@ nlohmann::ordered_json object(const nlohmann::ordered_json& value)
 }
 } // namespace
 
+std::string hexadecimal(const std::uint64_t hash)
+{
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << hash;
+  return text.str();
+}
+
 nlohmann::ordered_json to_json(const Summary& summary)
 {
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();
   for (const StageSummary& stage : summary.stages) stages.push_back(to_json(stage));
-  const double per_step =
+  const double mean =
       summary.steps > 0 ? summary.wall_time / static_cast<double>(summary.steps) : 0;
-  return {{"version", summary.version},
-          {"experiment", summary.experiment},
-          {"ranks", summary.ranks},
-          {"seed", summary.seed},
-          {"clumps", summary.clumps},
-          {"spheres", summary.spheres},
-          {"time_step_s", summary.time_step},
-          {"steps", summary.steps},
-          {"simulated_time_s", summary.simulated_time},
-          {"wall_time_s", summary.wall_time},
-          {"wall_time_per_step_s", per_step},
-          {"stages", stages},
-          {"contacts", summary.contacts},
-          {"energy", object(summary.energy)},
-          {"results", object(summary.results)},
-          {"warnings", summary.warnings},
-          {"state_hash", hexadecimal(summary.state_hash)}};
+  return {
+      {"version", summary.version},
+      {"experiment", summary.experiment},
+      {"ranks", summary.ranks},
+      {"seed", summary.seed},
+      {"clumps", summary.clumps},
+      {"spheres", summary.spheres},
+      {"time_step_s", summary.time_step},
+      {"steps", summary.steps},
+      {"simulated_time_s", summary.simulated_time},
+      {"wall_time_s", summary.wall_time},
+      {"wall_time_per_step_s", summary.wall_time_per_step > 0 ? summary.wall_time_per_step : mean},
+      {"stages", stages},
+      {"contacts", summary.contacts},
+      {"energy", object(summary.energy)},
+      {"results", object(summary.results)},
+      {"warnings", summary.warnings},
+      {"state_hash", hexadecimal(summary.state_hash)}};
 }
 
 void write_summary(const std::filesystem::path& file, const Summary& summary)

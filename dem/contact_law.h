@@ -19,6 +19,9 @@ struct ContactProperties {
   double tangential_stiffness = 0; // [N/m]
   double friction = 0;             // Coulomb coefficient [-]
   double damping_ratio = 0;        // c / (2 sqrt(k m)), normal and tangential [-]
+  // Besides: dashpots of this rate times the reduced mass [1/s].
+  double normal_damping_rate = 0;
+  double tangential_damping_rate = 0;
   // Convention for the end of an impact: at zero force (no tension, the default), or at zero
   // overlap, with tension in between. The same damping ratio gives different restitution (Schwager
   // and Poeschel, Granular Matter 9 (2007) 465-469).
@@ -75,8 +78,10 @@ linear_contact_force(const ContactProperties& pair, double reduced_mass, double 
                      ContactHistory& history, ContactEnergy& energy)
 {
   const double k_n = pair.normal_stiffness, k_t = pair.tangential_stiffness;
-  const double c_n = 2 * pair.damping_ratio * std::sqrt(k_n * reduced_mass);
-  const double c_t = 2 * pair.damping_ratio * std::sqrt(k_t * reduced_mass);
+  const double c_n = 2 * pair.damping_ratio * std::sqrt(k_n * reduced_mass) +
+                     pair.normal_damping_rate * reduced_mass;
+  const double c_t = 2 * pair.damping_ratio * std::sqrt(k_t * reduced_mass) +
+                     pair.tangential_damping_rate * reduced_mass;
 
   const double v_n = relative_velocity.dot(normal);
   const double elastic_n = k_n * overlap;

@@ -1,9 +1,18 @@
 #include "dem/engine.h"
 
+#include <chrono>
+
 namespace interlock::dem
 {
 namespace
 {
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration duration)
+{
+  return std::chrono::duration<double>(duration).count();
+}
+
 struct Overlap {
   double depth;   // > 0 when touching [m]
   Vector3 normal; // from the second body to the first
@@ -105,7 +114,10 @@ void Engine::replace_walls(int first, const std::vector<Wall>& walls)
 
 void Engine::compute_forces(double dt)
 {
+  const Clock::time_point start = Clock::now();
   lists_.update(clumps_, walls_, dt);
+  const Clock::time_point listed = Clock::now();
+  profile_.lists += seconds(listed - start);
   const int n = clumps_.size();
   for (int i = 0; i < n; ++i) {
     clumps_.force[i].setZero();
@@ -119,6 +131,7 @@ void Engine::compute_forces(double dt)
   for (SphereContact& c : lists_.sphere_contacts()) touch(c, dt);
   for (WallContact& c : lists_.wall_contacts()) touch(c, dt);
   for (const Wall& wall : walls_) wall_work_ -= dt * wall.force.dot(wall.velocity);
+  profile_.contacts += seconds(Clock::now() - listed);
 }
 
 void Engine::touch(SphereContact& c, double dt)
@@ -215,11 +228,13 @@ void Engine::move_walls(double dt)
 void Engine::step(double dt)
 {
   compute_forces(dt);
+  const Clock::time_point start = Clock::now();
   for (int i = 0; i < clumps_.size(); ++i) {
     kick(i, dt);
     clumps_.drift(i, dt);
   }
   move_walls(dt);
+  profile_.integration += seconds(Clock::now() - start);
 }
 
 double Engine::body_energy(int i) const

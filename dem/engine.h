@@ -34,6 +34,14 @@ struct StableStep {
   int contacts = 0; // of that clump
 };
 
+// Time that the parts of the steps took [s].
+struct StepProfile {
+  double broad_phase = 0; // pairs of clumps
+  double lists = 0;       // pairs of spheres
+  double contacts = 0;    // forces and their sums
+  double integration = 0;
+};
+
 class Engine
 {
 public:
@@ -72,6 +80,11 @@ public:
   // speeds the clump up, and raised where it slows it down. 0 switches it off [-].
   void set_local_damping(double share) { local_damping_ = share; }
   void move_walls(double dt);
+
+  void set_list_settings(const ListSettings& settings) { lists_.set(settings); }
+  // Since the last reset.
+  const StepProfile& profile() const { return profile_; }
+  void reset_profile() { profile_ = StepProfile(); }
 
   // One whole step of everything, when there are no ribs.
   void step(double dt);
@@ -119,6 +132,7 @@ private:
   ContactEnergy contact_energy_;
   double local_damping_ = 0;
   double local_damping_loss_ = 0, wall_work_ = 0, inserted_ = 0;
+  StepProfile profile_;
   int n_touching_ = 0;
   double largest_overlap_ = 0;
 };

@@ -82,8 +82,11 @@ void NeighbourLists::update(const Clumps& clumps, const std::vector<Wall>& walls
                        clumps.velocity[i].norm() + clumps.spin[i].norm() * clumps.member_reach(i));
   for (const Wall& wall : walls) fastest = std::max(fastest, wall.velocity.norm());
   // Twice the way of the fastest clump in a number of steps that balances building against testing.
-  const double inner_skin = std::clamp(2 * fastest * time_step * 12, 2e-5, 2e-4);
-  const double middle_skin = std::clamp(2 * fastest * time_step * 80, 3e-4, 2e-3);
+  double inner_skin = std::clamp(2 * fastest * time_step * 12, 2e-5, 2e-4);
+  double middle_skin = std::clamp(2 * fastest * time_step * 80, 3e-4, 2e-3);
+  if (settings_.inner_skin > 0) inner_skin = settings_.inner_skin;
+  if (settings_.middle_skin > 0) middle_skin = settings_.middle_skin;
+  middle_skin = std::max(middle_skin, 2 * inner_skin);
   const double outer_skin = 4e-3;
 
   const bool middle_lasts =

@@ -31,9 +31,17 @@ struct WallContact {
   Vector3 point = Vector3::Zero();
 };
 
+// Skins of the lists [m]; 0: chosen automatically.
+struct ListSettings {
+  double inner_skin = 0;
+  double middle_skin = 0;
+};
+
 class NeighbourLists
 {
 public:
+  void set(const ListSettings& settings) { settings_ = settings; }
+
   // Makes the inner lists complete for the present poses; rebuilds only what has expired.
   // `time_step` is used to choose skins that last some tens of steps at the present speeds.
   void update(const Clumps& clumps, const std::vector<Wall>& walls, double time_step);
@@ -80,6 +88,7 @@ private:
   void add_member_pairs(const Clumps& clumps, int i, int j);
   void place_members(const Clumps& clumps);
 
+  ListSettings settings_;
   bool valid_ = false;
   Reference outer_, middle_, inner_;
   std::vector<ClumpPair> clump_pairs_;

@@ -153,6 +153,27 @@ TEST_F(BadParameterFile, WithoutAnExperimentNothingElseIsMissing)
                {"bad.prm", "\"Experiment\" is missing", "\"pull-out\""});
 }
 
+TEST_F(BadParameterFile, EveryExperimentHasEntriesOfItsOwn)
+{
+  const fs::path w1 = fs::path(INTERLOCK_SOURCE_DIR) / "cases" / "benchmark" / "w1.prm";
+  expect_words(errors(w1, {"Pull/Speed=1"}), {"no entry \"Pull/Speed\""});
+  expect_words(errors(w1, {"Packing/Sqeeze=0.01"}), {"\"Packing/Squeeze\""});
+  expect_words(errors(w1, {"Packing/Squeeze=9"}), {"\"9\"", "from 0 to 0.1"});
+  expect_words(errors(w1, {"Packing/State file=none.json"}),
+               {"\"Packing/State file\"", "none.json", "does not exist"});
+  expect_words(errors(w1, {"Packing/Write state=state.txt"}), {"state.txt", ".json.gz"});
+  expect_words(
+      errors(w1, {"Packing/Write state=" + w1.parent_path().string() + "/w1_settled.json.gz"}),
+      {"is the state file itself"});
+  expect_words(errors(w1, {"Packing/Write state=none/state.json"}), {"folder", "does not exist"});
+  expect_words(errors(w1, {"Packing/Hold still=true", "Packing/Throw spin=1"}),
+               {"held still", "Throw speed"});
+  expect_words(errors(w1, {"Time/Timed steps=60"}), {"50 records", "half of the 60"});
+  expect_words(errors(w1, {"Neighbour lists/Inner skin=2e-3", "Neighbour lists/Middle skin=1e-3"}),
+               {"0.002 m", "0.001 m"});
+  expect_words(errors(w1, {"Contact/Normal damping rate=4000 1/s"}), {"in 1/s"});
+}
+
 TEST_F(BadParameterFile, BrokenLinesAreNamed)
 {
   const std::string good = "include good.prm\n";

@@ -113,6 +113,26 @@ TEST_F(ParameterFile, FolderOfStonesIsRelativeToTheFileThatNamesIt)
   EXPECT_TRUE(fs::path(p.stones.folder).is_absolute());
 }
 
+TEST_F(ParameterFile, BenchmarkCasesAreOfTheSameBox)
+{
+  const fs::path folder = fs::path(INTERLOCK_SOURCE_DIR) / "cases" / "benchmark";
+  const auto packing = [&](const char* name) {
+    const auto input = apps::read_parameter_file(folder / name);
+    EXPECT_EQ(input.experiment->name, "packing");
+    return std::get<coupling::PackingParameters>(input.parameters);
+  };
+  const auto w1 = packing("w1.prm");
+  EXPECT_EQ(fs::path(w1.state.file), folder / "w1_settled.json.gz"); // relative to the case
+  EXPECT_EQ(w1.state.written, "");
+  EXPECT_EQ(w1.contact.normal_stiffness, 1e7);
+  EXPECT_NEAR(w1.contact.tangential_ratio, 2. / 3, 1e-15);
+  EXPECT_EQ(w1.time.step, 1e-5);
+  EXPECT_EQ(fs::path(packing("w2.prm").state.file), folder / "w2_settled.json.gz");
+  EXPECT_EQ(packing("w1-fine.prm").state.spheres_per_clump, 550);
+  EXPECT_EQ(packing("w1-squeezed.prm").state.squeeze, 0.009);
+  EXPECT_TRUE(packing("w1-squeezed.prm").state.hold_still);
+}
+
 TEST_F(ParameterFile, UsedParametersGiveTheSameRunAgain)
 {
   const auto first = apps::read_parameter_file(folder / "base.prm", {"Pull/Speed=0.0333333333333"});
