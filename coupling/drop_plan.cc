@@ -106,4 +106,15 @@ std::vector<Release> plan_drop(const std::vector<Stone>& stones, const DropParam
     }
   return plan;
 }
+
+FallingStone falling_stone(const Stone& stone, const Release& release, double time, double dt,
+                           double gravity)
+{
+  const double since = time - release.time;
+  FallingStone falling;
+  falling.pose = body_pose(stone, release.place, release.attitude);
+  falling.pose.position.z() -= 0.5 * gravity * since * since;
+  falling.velocity = {0, 0, -gravity * (since - 0.5 * dt)};
+  return falling;
+}
 } // namespace interlock::coupling

@@ -25,4 +25,13 @@ struct Release {
 // it knows member spheres and not what they weigh.
 std::vector<Release> plan_drop(const std::vector<Stone>& stones, const DropParameters& drop,
                                double gravity);
+
+// A stone `time` [s] into the run, at or after its release, that has touched nothing since: so all
+// runs of one plan drop their stones alike although the releases lie anywhere within their steps.
+struct FallingStone {
+  BodyPose pose;         // at `time`
+  dem::Vector3 velocity; // half a step of `dt` earlier, as the leapfrog has it [m/s]
+};
+FallingStone falling_stone(const Stone& stone, const Release& release, double time, double dt,
+                           double gravity);
 } // namespace interlock::coupling
