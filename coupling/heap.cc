@@ -120,7 +120,7 @@ Summary Heap::run(const std::filesystem::path& output)
   settle();
   frames_->write(time_, *engine_);
   write_stones(output / "stones.csv");
-  collect_results();
+  collect_results(output);
   write_summary(output / "summary.json", summary_);
   return summary_;
 }

@@ -26,9 +26,9 @@ public:
   // full sentence, when a stone or the time step cannot be used.
   Heap(const HeapParameters& parameters, const Monitor& monitor);
 
-  // Drops all stones, waits until they are at rest, and writes history.csv, fields, stones.csv and
-  // summary.json into `output`, which must exist. Throws std::runtime_error when the simulation
-  // fails, and lets pass what the monitor throws.
+  // Drops all stones, waits until they are at rest, and writes history.csv, fields, stones.csv,
+  // profile.csv and summary.json into `output`, which must exist. Throws std::runtime_error when
+  // the simulation fails, and lets pass what the monitor throws.
   Summary run(const std::filesystem::path& output);
 
 private:
@@ -45,8 +45,9 @@ private:
   void settle();
   void record();
   void write_stones(const std::filesystem::path& file) const;
-  void collect_results();
-  void collect_measures();
+  void write_profile(const std::filesystem::path& file, const SurfaceProfile& profile) const;
+  void collect_results(const std::filesystem::path& output);
+  void collect_measures(const std::filesystem::path& output);
 
   dem::Vector3 stone_centre(int clump) const;
   std::vector<HeapStone> stones() const;

@@ -97,7 +97,21 @@ void Heap::write_stones(const std::filesystem::path& file) const
   write_atomically(file, out.str());
 }
 
-void Heap::collect_measures()
+// Heights over the distance from the centroid: what the angle of repose was fitted to.
+void Heap::write_profile(const std::filesystem::path& file, const SurfaceProfile& profile) const
+{
+  std::ostringstream out;
+  out << "sector,radius [m],height [m]\n";
+  const auto add = [&](const std::string& name, const std::vector<SurfaceProfile::Ring>& rings) {
+    for (const SurfaceProfile::Ring& ring : rings)
+      out << name << ',' << number(ring.radius) << ',' << number(ring.height) << '\n';
+  };
+  for (int s = 0; s < SurfaceProfile::n_sectors; ++s) add(std::to_string(s), profile.sector[s]);
+  add("all", profile.all);
+  write_atomically(file, out.str());
+}
+
+void Heap::collect_measures(const std::filesystem::path& output)
 {
   const std::vector<HeapStone> stones = this->stones();
   const PlanSpread spread = plan_spread(stones);
@@ -107,7 +121,9 @@ void Heap::collect_measures()
   // The heap's foot is near 2 r50; strays far outside need no rays.
   reach = std::min(reach, 4 * spread.r50) + mean_size_;
   const HeightMap map = height_map(spheres(false), spread.centroid, reach, ray_spacing);
-  const Repose heap = repose(surface_profile(map, spread.centroid, 0.5 * mean_size_));
+  const SurfaceProfile profile = surface_profile(map, spread.centroid, 0.5 * mean_size_);
+  const Repose heap = repose(profile);
+  write_profile(output / "profile.csv", profile);
 
   nlohmann::ordered_json& r = summary_.results;
   r["angle_of_repose_deg"] = heap.angle;
@@ -131,7 +147,7 @@ void Heap::collect_measures()
   r["centroid_y_m"] = spread.centroid.y();
 }
 
-void Heap::collect_results()
+void Heap::collect_results(const std::filesystem::path& output)
 {
   const dem::Clumps& clumps = engine_->clumps();
   Summary& s = summary_;
@@ -152,7 +168,7 @@ void Heap::collect_results()
 
   s.results["mass_properties"] = parameters_.stones.mass_properties;
   s.results["mass_kg"] = weight() / parameters_.gravity;
-  if (clumps.size() > 0) collect_measures();
+  if (clumps.size() > 0) collect_measures(output);
   s.results["time_to_rest_after_last_release_s"] = at_rest_time_;
   s.results["longest_delay_of_a_release_s"] = longest_delay_;
   s.results["stones_lost_over_the_edge"] = n_lost_;
