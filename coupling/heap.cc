@@ -78,6 +78,7 @@ Heap::Heap(const HeapParameters& parameters, const Monitor& monitor)
   engine_ = std::make_unique<dem::Engine>(std::move(shapes), properties(c, c.stone_friction),
                                           parameters.gravity);
   engine_->add_wall(floor_of(parameters.drop.floor_side, properties(c, c.floor_friction)));
+  engine_->set_local_damping(c.local_damping);
   const std::vector<double> densities(stones_.size(), parameters.stones.density);
   const dem::StableStep stable = engine_->expected_stable_step(densities, expected_contacts);
   dt_ = choose_time_step(parameters.time, stable);

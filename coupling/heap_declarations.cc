@@ -21,6 +21,9 @@ void declare_contact(ParameterTable& table, HeapContactParameters& contact)
                 "Friction coefficient between a stone and the floor. [-]");
   table.require("Damping ratio", contact.damping_ratio, {0, 1, true},
                 "Normal and tangential contact dashpots, share of the critical damping. [-]");
+  table.require("Local damping", contact.local_damping, {0, 1},
+                "Share of the unbalanced force taken from stones that touch something (Cundall's "
+                "local damping); a stone in free fall has none. [-]");
 }
 
 void declare_drop(ParameterTable& table, DropParameters& drop)

@@ -12,6 +12,7 @@ struct HeapContactParameters {
   double stone_friction = 0;   // stone with stone [-]
   double floor_friction = 0;   // stone with floor [-]
   double damping_ratio = 0;    // normal and tangential dashpot, share of critical [-]
+  double local_damping = 0;    // of stones that touch something (Cundall) [-]
 };
 
 struct DropParameters {

@@ -1,6 +1,6 @@
 // Bad parameter files of a heap: each test states one slip and the words that must be in the
-// answer. It takes a slip that is accepted, or an answer that does not name entry, value and what is
-// allowed, to fail. Also the case itself, against the numbers of its paper.
+// answer. It takes a slip that is accepted, or an answer that does not name entry, value and what
+// is allowed, to fail. Also the case itself, against the numbers of its paper.
 #include "apps/case_templates.h"
 #include "apps/parameter_file.h"
 #include "dem/input_error.h"
@@ -47,6 +47,7 @@ TEST_F(BadHeap, ValuesOutsideTheirRange)
   expect("Gravity=0", {"Gravity", "0", "greater than 0"});
   expect("Contact/Stone friction=-0.1", {"Stone friction", "-0.1"});
   expect("Contact/Damping ratio=1.5", {"Damping ratio", "1.5", "from 0 to 1"});
+  expect("Contact/Local damping=-0.1", {"Local damping", "-0.1", "from 0 to 1"});
   expect("Measures/Elongation limit=1.2", {"Elongation limit", "1.2", "from 0 to 1"});
   expect("Stones/Mass properties=corrected",
          {"Mass properties", "corrected", "\"equal-mass\"", "\"mesh\""});

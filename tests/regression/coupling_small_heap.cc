@@ -27,6 +27,7 @@ HeapParameters small_heap(const std::string& mass_properties)
   p.contact.stone_friction = 0.7;
   p.contact.floor_friction = 0.5;
   p.contact.damping_ratio = 0.3;
+  p.contact.local_damping = 0.3;
   p.drop.batches = 4;
   p.drop.height = 0.2;
   p.drop.disc_radius = 0.04;
@@ -55,7 +56,8 @@ TEST_F(SmallHeap, ObeysTheLaws)
   EXPECT_GT(s.energy["friction_J"], 0.);
   // All that the stones fell is gone: what is left of the height is that of the heap.
   EXPECT_NEAR(double(s.energy["work_put_in_J"]),
-              double(s.energy["friction_J"]) + double(s.energy["contact_damping_J"]),
+              double(s.energy["friction_J"]) + double(s.energy["contact_damping_J"]) +
+                  double(s.energy["local_damping_J"]),
               0.02 * double(s.energy["work_put_in_J"]));
   EXPECT_EQ(s.results["longest_delay_of_a_release_s"], 0.);
   EXPECT_EQ(double(s.results["elongated_stones"]) + double(s.results["other_stones"]), 20);
