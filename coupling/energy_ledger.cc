@@ -1,5 +1,7 @@
 #include "coupling/energy_ledger.h"
 
+#include "dem/engine.h"
+
 #include <cmath>
 
 namespace interlock::coupling

@@ -2,11 +2,14 @@
 // stored plus what was dissipated.
 #pragma once
 
-#include "dem/engine.h"
-
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace interlock::dem
+{
+struct EngineEnergy;
+}
 
 namespace interlock::coupling
 {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace interlock::coupling
 {
@@ -19,6 +20,13 @@ constexpr const char* format = "clump-workload-1";
 
 // The mass and inertia of a file have as many digits as their writer gave them [-].
 constexpr double rounding = 1e-6;
+
+std::string six_digits(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 // One file, to name it in every sentence. `place` is the way to a value: "shapes[2]/mass".
 class Reader
@@ -141,7 +149,7 @@ private:
     const double mass = positive_number(object, place, "mass");
     if (std::abs(mass / (density * shape.volume) - 1) > rounding)
       refuse_value(join(place, "mass"), mass,
-                   "density times volume, " + json(density * shape.volume).dump() + " kg");
+                   "density times volume, " + six_digits(density * shape.volume) + " kg");
     const Vector3 inertia = positive_vector(object, place, "inertia");
     if (2 * inertia.maxCoeff() > (1 + rounding) * inertia.sum())
       refuse_value(join(place, "inertia"), object["inertia"],

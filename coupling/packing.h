@@ -10,6 +10,7 @@
 #include "coupling/packed_state.h"
 #include "coupling/packing_parameters.h"
 #include "coupling/summary.h"
+#include "dem/engine.h"
 
 #include <chrono>
 #include <filesystem>
@@ -31,8 +32,6 @@ public:
   // std::runtime_error when the simulation fails, a missed contact included, and lets pass what the
   // monitor throws.
   Summary run(const std::filesystem::path& output);
-
-  const PackedState& state() const { return state_; } // before the first step
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -62,7 +61,7 @@ private:
 
   PackingParameters parameters_;
   Monitor monitor_;
-  PackedState state_;
+  PackedState state_; // before the first step
   std::unique_ptr<dem::Engine> engine_;
   double dt_ = 0;       // [s]
   double weight_ = 0;   // of all stones [N]

@@ -37,24 +37,24 @@ nlohmann::ordered_json to_json(const Summary& summary)
   for (const StageSummary& stage : summary.stages) stages.push_back(to_json(stage));
   const double mean =
       summary.steps > 0 ? summary.wall_time / static_cast<double>(summary.steps) : 0;
-  return {
-      {"version", summary.version},
-      {"experiment", summary.experiment},
-      {"ranks", summary.ranks},
-      {"seed", summary.seed},
-      {"clumps", summary.clumps},
-      {"spheres", summary.spheres},
-      {"time_step_s", summary.time_step},
-      {"steps", summary.steps},
-      {"simulated_time_s", summary.simulated_time},
-      {"wall_time_s", summary.wall_time},
-      {"wall_time_per_step_s", summary.wall_time_per_step > 0 ? summary.wall_time_per_step : mean},
-      {"stages", stages},
-      {"contacts", summary.contacts},
-      {"energy", object(summary.energy)},
-      {"results", object(summary.results)},
-      {"warnings", summary.warnings},
-      {"state_hash", hexadecimal(summary.state_hash)}};
+  const double per_step = summary.wall_time_per_step > 0 ? summary.wall_time_per_step : mean;
+  return {{"version", summary.version},
+          {"experiment", summary.experiment},
+          {"ranks", summary.ranks},
+          {"seed", summary.seed},
+          {"clumps", summary.clumps},
+          {"spheres", summary.spheres},
+          {"time_step_s", summary.time_step},
+          {"steps", summary.steps},
+          {"simulated_time_s", summary.simulated_time},
+          {"wall_time_s", summary.wall_time},
+          {"wall_time_per_step_s", per_step},
+          {"stages", stages},
+          {"contacts", summary.contacts},
+          {"energy", object(summary.energy)},
+          {"results", object(summary.results)},
+          {"warnings", summary.warnings},
+          {"state_hash", hexadecimal(summary.state_hash)}};
 }
 
 void write_summary(const std::filesystem::path& file, const Summary& summary)

@@ -72,7 +72,7 @@ TEST_F(PackedStateFile, CompressionIsSeenInTheFileNotInItsName)
 TEST_F(PackedStateFile, LongTextsComeBackFromCompression)
 {
   std::string text;
-  for (int k = 0; k < 300000; ++k) text += std::to_string(k * 7919 % 10007);
+  for (int k = 0; k < 300000; ++k) text += std::to_string(k % 10007 * 7919);
   write_maybe_compressed(folder / "long.gz", text);
   EXPECT_EQ(read_maybe_compressed(folder / "long.gz"), text);
 }

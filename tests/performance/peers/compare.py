@@ -1,7 +1,7 @@
 """Runs interlock and its peers in turn on one packed state; see compare.sh.
 
 The state that the peers get is written by interlock itself ("Packing/Write state"), refined or squeezed,
-so all codes start from the same spheres. The contact law comes from the parameters that interlock used.
+so all codes start from the same spheres with the same masses and moments. The contact law comes from the parameters that interlock used.
 """
 import argparse
 import json
@@ -85,7 +85,7 @@ def compare(peer, arguments, state, law):
     job = Job(state=state, law=law, warm=warm, steps=steps, skin=skin, core=arguments.core, folder=folder)
     print("\n%s against interlock, case %s: %d steps timed after %d, core %s, load %.2f" %
           (peer, arguments.case, steps, warm, arguments.core, os.getloadavg()[0]))
-    print("  %-8s %14s %14s %9s" % ("round", "interlock, ms", peer + ", ms", "ratio"))
+    print("  %-8s %14s %14s %9s" % ("round", "interlock, ms", peer + ", ms", "ratio"), flush=True)
     ours, theirs = [], []
     for k in range(arguments.rounds):
         ours.append(mine(interlock(arguments.case, os.path.join(folder, "interlock"), warm, steps, arguments.core)))
@@ -112,6 +112,8 @@ def main():
     for peer in peers:
         if peer not in PEERS:
             parser.error("there is no peer '%s'; known are %s" % (peer, ", ".join(PEERS)))
+    if arguments.rounds < 1:
+        parser.error("--rounds is %d, but must be 1 or more" % arguments.rounds)
     arguments.folder = os.path.abspath(arguments.folder)
     os.makedirs(arguments.folder, exist_ok=True)
     written = os.path.join(arguments.folder, arguments.case + ".json")

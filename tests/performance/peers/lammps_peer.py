@@ -64,6 +64,7 @@ fix rig all rigid/small molecule infile bodies gravity g
 fix wx all wall/gran hooke/history {numbers} xplane 0 {box[0]:.15g}
 fix wy all wall/gran hooke/history {numbers} yplane 0 {box[1]:.15g}
 fix wz all wall/gran hooke/history {numbers} zplane 0 NULL
+thermo_style custom step cpu
 thermo {max(job.steps // 2, 1)}
 thermo_modify lost error
 run {job.warm}
