@@ -105,7 +105,7 @@ def heap_figure(run, path):
     draw_view(side, stones, "side", reach, top)
     outside = int(np.sum(stones.distance > reach))
     title = "plan and side view; elongated stones in orange"
-    plan.set_title(title + (f"; {outside} stones lie farther out" if outside else ""), fontsize=10)
+    plan.set_title(title + (f"; stones farther out: {outside}" if outside else ""), fontsize=10)
     figures.save(figure, path)
 
 

@@ -71,15 +71,15 @@ double slope(const std::vector<SurfaceProfile::Ring>& rings)
   return rh / rr;
 }
 
+// A pit near the middle is not the flank: that begins behind the last ring that is high.
 std::vector<SurfaceProfile::Ring> flank(const std::vector<SurfaceProfile::Ring>& rings,
                                         double height)
 {
-  std::vector<SurfaceProfile::Ring> result;
-  for (const auto& ring : rings) {
-    if (ring.height < 0.2 * height) break;
-    if (!result.empty() || ring.height < 0.8 * height) result.push_back(ring);
-  }
-  return result;
+  const auto end = std::find_if(rings.begin(), rings.end(),
+                                [&](const auto& ring) { return ring.height < 0.2 * height; });
+  auto begin = end;
+  while (begin != rings.begin() && std::prev(begin)->height < 0.8 * height) --begin;
+  return {begin, end};
 }
 
 // Sums over the rays of one ring.

@@ -62,9 +62,10 @@ struct SurfaceProfile {
 // Rings of the given width [m]; those without a ray are left out.
 SurfaceProfile surface_profile(const HeightMap& map, const PlanPoint& centre, double ring_width);
 
-// The angle of repose: in each sector a straight line is fitted (least squares) to the rings from
-// the first one below 80 % of the heap's height, going outwards, to the last one before the surface
-// first falls below 20 %. A sector with fewer than three such rings has no angle.
+// The angle of repose: in each sector a straight line is fitted (least squares) to the rings of the
+// flank, which ends before the first ring, going outwards, below 20 % of the heap's height and
+// begins behind the last one before it that is not below 80 %. A sector with fewer than three such
+// rings has no angle.
 struct Repose {
   double height = 0;  // of the highest ring over all azimuths [m]
   double angle = 0;   // mean over the sectors [degrees]

@@ -132,7 +132,7 @@ def draw(runs, path):
         heap_figures.draw_view(axes[0, column], heap, "plan", reach, top, pixel=2.5e-3)
         heap_figures.draw_view(axes[1, column], heap, "side", reach, top, pixel=2.5e-3)
         outside = int(np.sum(heap.distance > reach))
-        axes[0, column].set_title(f"{TITLES[scheme]}\nseed {seed}; {outside} stones farther out", fontsize=9)
+        axes[0, column].set_title(f"{TITLES[scheme]}\nseed {seed}; stones farther out: {outside}", fontsize=9)
         for view in axes[:, column]:
             view.label_outer()
     bars = below.subplots(1, len(BARS))
