@@ -68,6 +68,11 @@ def spread(numbers):
     return numbers.std(ddof=1) if len(numbers) > 1 else np.nan
 
 
+def with_error(form, value, error):
+    """'1.2 ± 0.3', or the value alone where a single seed leaves no error."""
+    return form.format(value) + (f" ± {error:.1f}" if np.isfinite(error) else "")
+
+
 def write_csv(runs, path):
     with open(path + ".part", "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
@@ -83,19 +88,19 @@ def write_csv(runs, path):
 
 def markdown(runs):
     seeds = max(len(of_scheme) for of_scheme in runs.values())
-    lines = [f"Mean and standard deviation over {seeds} seeds; differences to `mesh` seed by seed, with the "
-             "standard error of their mean.", "",
+    lines = [f"Number of seeds: {seeds}. Mean and standard deviation over them; differences to `mesh` seed by "
+             "seed, with the standard error of their mean.", "",
              "| measure | " + " | ".join(f"`{scheme}`" for scheme in runs) + " | " +
              " | ".join(f"`{scheme}` - `mesh`" for scheme in runs if scheme != "mesh") + " |",
              "|---" * (2 * len(runs)) + "|"]
     if "mesh" not in runs:
         raise figures.InputError("No run has the mass properties mesh, to which the others are compared.")
     for name, unit, measure in MEASURES:
-        cells = [f"{values(runs, s, measure).mean():.1f} ± {spread(values(runs, s, measure)):.1f}" for s in runs]
+        cells = [with_error("{:.1f}", mine.mean(), spread(mine))
+                 for mine in (values(runs, scheme, measure) for scheme in runs)]
         for scheme in runs:
             if scheme != "mesh":
-                mean, error = difference(runs, scheme, measure)
-                cells.append(f"{mean:+.1f} ± {error:.1f}")
+                cells.append(with_error("{:+.1f}", *difference(runs, scheme, measure)))
         lines.append(f"| {name} [{unit}] | " + " | ".join(cells) + " |")
     wall = [f"{np.mean([s['wall_time_s'] for _, s in of.values()]) / 60:.1f}" for of in runs.values()]
     step = [f"{1e6 * np.mean([s['time_step_s'] for _, s in of.values()]):.2f}" for of in runs.values()]
@@ -109,7 +114,8 @@ def draw_bars(axes, runs, name, unit, measure):
     for i, scheme in enumerate(runs):
         mine = values(runs, scheme, measure)
         axes.bar(i, mine.mean(), color=figures.COLOURS[i], alpha=0.35, width=0.65)
-        axes.errorbar(i, mine.mean(), spread(mine), color=figures.COLOURS[i], capsize=5, linewidth=1.5)
+        if len(mine) > 1:
+            axes.errorbar(i, mine.mean(), spread(mine), color=figures.COLOURS[i], capsize=5, linewidth=1.5)
         axes.plot(i + np.linspace(-0.12, 0.12, len(mine)), mine, "o", color=figures.COLOURS[i], markersize=4)
     axes.set_xticks(range(len(runs)), list(runs), fontsize=8)
     axes.set_title(f"{name} [{unit}]", fontsize=9)
@@ -125,8 +131,8 @@ def draw(runs, path):
     reach = max(heap.reach(0.97) for heap in heaps.values())
     top = 1.15 * max((heap.centres[:, 2] + heap.radii).max() for heap in heaps.values())
     n = len(runs)
-    figure = plt.figure(figsize=(4 * n, 4 * (1 + top / (2 * reach)) + 3.6), layout="constrained")
-    views, below = figure.subfigures(2, 1, height_ratios=[4 * (1 + top / (2 * reach)) + 0.8, 2.8])
+    figure = plt.figure(figsize=(3.5 * n, 3.5 * (1 + top / (2 * reach)) + 3.6), layout="constrained")
+    views, below = figure.subfigures(2, 1, height_ratios=[3.5 * (1 + top / (2 * reach)) + 0.8, 2.8])
     axes = views.subplots(2, n, height_ratios=[2 * reach, top], squeeze=False, sharey="row")
     for column, (scheme, heap) in enumerate(heaps.items()):
         heap_figures.draw_view(axes[0, column], heap, "plan", reach, top, pixel=2.5e-3)
@@ -138,7 +144,7 @@ def draw(runs, path):
     bars = below.subplots(1, len(BARS))
     for panel, index in zip(bars, BARS):
         draw_bars(panel, runs, *MEASURES[index])
-    below.supxlabel(f"bars: mean and standard deviation of {len(runs['mesh'])} seeds, dots: the seeds; "
+    below.supxlabel(f"bars: mean and standard deviation over the seeds ({len(runs['mesh'])}), dots: the seeds; "
                     "views: elongated stones in orange", fontsize=8)
     figures.save(figure, path)
 

@@ -57,7 +57,7 @@ TEST_F(BadHeap, ValuesOutsideTheirRange)
 TEST_F(BadHeap, ContradictionsAndUnknownNames)
 {
   expect("Drop/Disc radius=3", {"Drop/Disc radius", "3 m", "half the side of the floor"});
-  expect("Stones/Folder=nowhere", {"Stones/Folder", "nowhere", "cannot be read"});
+  expect("Stones/D min=-1", {"D min", "-1", "0 or more"});
   expect("Drop/Hight=2", {"Drop/Hight", "Drop/Height"});
   expect("Pull/Speed=1", {"Pull/Speed"});
 }
