@@ -1,6 +1,8 @@
 #include "apps/experiments.h"
 
 #include "apps/case_templates.h"
+#include "coupling/heap.h"
+#include "coupling/heap_declarations.h"
 #include "coupling/packing.h"
 #include "coupling/packing_declarations.h"
 #include "coupling/pull_out.h"
@@ -47,6 +49,9 @@ const std::vector<Experiment>& experiments()
       row<coupling::PullOut, coupling::PullOutParameters>(
           "pull-out", pull_out_template(), coupling::declare_pull_out, coupling::check_parameters,
           [](const coupling::PullOutParameters& p) { return p.output.report; }),
+      row<coupling::Heap, coupling::HeapParameters>(
+          "heap", heap_template(), coupling::declare_heap, coupling::check_heap,
+          [](const coupling::HeapParameters& p) { return p.output.report; }),
       row<coupling::Packing, coupling::PackingParameters>(
           "packing", packing_template(), coupling::declare_packing, coupling::check_packing,
           [](const coupling::PackingParameters&) { return false; }),

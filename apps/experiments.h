@@ -3,6 +3,7 @@
 #pragma once
 
 #include "coupling/check_parameters.h"
+#include "coupling/heap_parameters.h"
 #include "coupling/monitor.h"
 #include "coupling/packing_parameters.h"
 #include "coupling/parameter_table.h"
@@ -17,7 +18,8 @@
 
 namespace interlock::apps
 {
-using ExperimentParameters = std::variant<coupling::PullOutParameters, coupling::PackingParameters>;
+using ExperimentParameters = std::variant<coupling::PullOutParameters, coupling::HeapParameters,
+                                          coupling::PackingParameters>;
 
 // An experiment that has accepted its parameters. Writes its files into `output`, which must exist.
 using ReadyExperiment = std::function<coupling::Summary(const std::filesystem::path& output)>;

@@ -20,7 +20,7 @@ using coupling::ParameterEntry;
 using coupling::ParameterTable;
 
 // Names that the design gives to experiments to come.
-const std::vector<std::string> planned_experiments = {"heap", "settle", "geogrid"};
+const std::vector<std::string> planned_experiments = {"settle", "geogrid"};
 
 const ParameterEntry* find_entry(const ParameterTable& table, const std::string& key)
 {

@@ -1,5 +1,6 @@
 #include "apps/report_command.h"
 
+#include "apps/parameter_scanner.h"
 #include "dem/input_error.h"
 
 #include <array>
@@ -15,14 +16,25 @@ namespace
 {
 // The interpreter of the system, for which Debian packages Matplotlib and h5py.
 constexpr const char* python = "/usr/bin/python3";
-constexpr const char* script = INTERLOCK_SOURCE_DIR "/apps/figures.py";
+constexpr const char* pull_out_script = INTERLOCK_SOURCE_DIR "/apps/figures.py";
+constexpr const char* heap_script = INTERLOCK_SOURCE_DIR "/apps/heap_figures.py";
+
+// By the experiment in used.prm, which a run writes first of all.
+const char* script_for(const std::filesystem::path& folder)
+{
+  const std::filesystem::path used = folder / "used.prm";
+  if (!std::filesystem::is_regular_file(used)) return pull_out_script;
+  for (const Assignment& assignment : scan_parameter_file(used).assignments)
+    if (assignment.key() == "Experiment" && assignment.value == "heap") return heap_script;
+  return pull_out_script;
+}
 } // namespace
 
 int draw_figures(const std::filesystem::path& folder)
 {
   // No shell in between, so a folder may have any name.
   const std::string name = folder.string();
-  const std::array<const char*, 4> arguments = {python, script, name.c_str(), nullptr};
+  const std::array<const char*, 4> arguments = {python, script_for(folder), name.c_str(), nullptr};
   pid_t child = 0;
   if (posix_spawn(&child, python, nullptr, nullptr, const_cast<char* const*>(arguments.data()),
                   environ) != 0)

@@ -1,40 +1,15 @@
 #include "coupling/check_parameters.h"
 
-#include <boost/algorithm/string.hpp>
+#include "coupling/stone_declarations.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace interlock::coupling
 {
 namespace
 {
-namespace fs = std::filesystem;
-
 // Room for decimal lengths such as 3 x 0.065 + 0.005 that have no exact binary form [m].
 constexpr double length_tolerance = 1e-9;
-
-bool is_scan(const fs::directory_entry& entry)
-{
-  const std::string ending = boost::algorithm::to_lower_copy(entry.path().extension().string());
-  return ending == ".stl" || ending == ".ply" || ending == ".obj";
-}
-
-void check_stones(const StoneParameters& stones, ParameterProblems& problems)
-{
-  if (stones.folder.empty()) return;
-  std::error_code error;
-  const fs::directory_iterator files(stones.folder, error);
-  if (error)
-    problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
-                 "\" cannot be read: ", error.message(), ".");
-  else if (std::none_of(begin(files), end(files), is_scan))
-    problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
-                 "\" holds no file that ends with .stl, .ply or .obj.");
-  if (stones.length_unit <= 0)
-    problems.add("Stones/Length unit", "The length of one unit of the scans must be given with a "
-                                       "folder of scans, for example 0.001 m for millimetres.");
-}
 
 void check_box(const BoxParameters& box, const GeogridParameters& geogrid,
                ParameterProblems& problems)

@@ -37,7 +37,13 @@ void FieldFrames::write(double time, const dem::Engine& engine, const StaggeredS
 {
   write_clumps(time, engine);
   if (loop.geogrid()) write_geogrid(time, *loop.geogrid());
-  write_contacts(time, engine, loop);
+  write_contacts(time, engine, loop.rib_contacts().contacts());
+}
+
+void FieldFrames::write(double time, const dem::Engine& engine)
+{
+  write_clumps(time, engine);
+  write_contacts(time, engine, {});
 }
 
 void FieldFrames::write_clumps(double time, const dem::Engine& engine)
@@ -101,7 +107,8 @@ void FieldFrames::write_geogrid(double time, const Geogrid& geogrid)
                  {displacement, velocity, axial, shear, torque, out_of_plane, in_plane});
 }
 
-void FieldFrames::write_contacts(double time, const dem::Engine& engine, const StaggeredStep& loop)
+void FieldFrames::write_contacts(double time, const dem::Engine& engine,
+                                 const std::vector<dem::RibContact>& rib_contacts)
 {
   const dem::Clumps& clumps = engine.clumps();
   std::vector<double> points;
@@ -120,7 +127,7 @@ void FieldFrames::write_contacts(double time, const dem::Engine& engine, const S
     if (c.touching) add(clumps.position[c.i], clumps.position[c.j], c.force.norm(), 0);
   for (const dem::WallContact& c : engine.wall_contacts())
     if (c.touching) add(clumps.position[c.i], c.point, c.force.norm(), 1);
-  for (const dem::RibContact& c : loop.rib_contacts().contacts())
+  for (const dem::RibContact& c : rib_contacts)
     if (c.overlap > 0) add(clumps.position[c.i], c.point, c.force.norm(), 2);
   contacts_.write(time, points, lines, {force, kind});
 }

@@ -20,11 +20,14 @@ public:
   explicit FieldFrames(const std::filesystem::path& folder);
 
   void write(double time, const dem::Engine& engine, const StaggeredStep& loop);
+  // Of stones and walls alone: there is no geogrid.
+  void write(double time, const dem::Engine& engine);
 
 private:
   void write_clumps(double time, const dem::Engine& engine);
   void write_geogrid(double time, const Geogrid& geogrid);
-  void write_contacts(double time, const dem::Engine& engine, const StaggeredStep& loop);
+  void write_contacts(double time, const dem::Engine& engine,
+                      const std::vector<dem::RibContact>& rib_contacts);
 
   XdmfSeries clumps_, geogrid_, contacts_;
   std::vector<std::int64_t> first_id_; // ids at the first frame, ascending

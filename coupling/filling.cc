@@ -23,15 +23,6 @@ dem::Wall rectangle(const std::string& name, const Vector3& corner, const Vector
   wall.contact = contact;
   return wall;
 }
-
-dem::Quaternion random_attitude(dem::RandomStream& random)
-{
-  // Shoemake, Graphics Gems III (1992): uniform over all rotations.
-  const double u = random.uniform(), a = random.uniform(0, 2 * M_PI),
-               b = random.uniform(0, 2 * M_PI);
-  return {std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a),
-          std::sqrt(u) * std::sin(b), std::sqrt(u) * std::cos(b)};
-}
 } // namespace
 
 void build_box(dem::Engine& engine, const BoxParameters& box, const dem::ContactProperties& contact)
@@ -78,7 +69,7 @@ double Filling::pour(double mass)
     batch_.pop_back();
     const double radius = clumps.shapes()[shape].bounding_radius();
     const Vector3 place = lowest_place(radius, floor, poured);
-    poured.push_back(engine_.add_clump(shape, density_, place, random_attitude(random_)));
+    poured.push_back(engine_.add_clump(shape, density_, place, random_.rotation()));
     sum += clumps.mass[poured.back()];
     highest = std::max(highest, place.z());
   }

@@ -2,6 +2,7 @@
 
 #include "dem/generator/clump_generator.h"
 #include "dem/input_error.h"
+#include "dem/stones/stone_size.h"
 #include "dem/stones/synthetic_stone.h"
 
 #include <algorithm>
@@ -47,10 +48,22 @@ dem::MassScheme mass_scheme(const std::string& name)
   if (name == "equal-mass") return dem::MassScheme::equal_mass;
   return dem::MassScheme::mesh;
 }
+
+Stone make_stone(const dem::TriangleMesh& mesh, const dem::ClumpParameters& parameters)
+{
+  dem::ClumpReport report;
+  Stone stone;
+  stone.shape = dem::make_clump(mesh, parameters, &report);
+  stone.axes = report.rotation;
+  stone.centre = report.rotation.conjugate() * (dem::mass_properties(mesh).centre - report.origin);
+  const dem::StoneSize size = dem::stone_size(mesh);
+  stone.elongation = size.elongation();
+  stone.longest = size.longest;
+  return stone;
+}
 } // namespace
 
-std::vector<dem::ClumpShape> make_stone_shapes(const StoneParameters& parameters,
-                                               const Monitor& monitor)
+std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor)
 {
   const std::vector<NamedMesh> meshes =
       parameters.folder.empty() ? synthetic(parameters) : read_scans(parameters);
@@ -62,18 +75,32 @@ std::vector<dem::ClumpShape> make_stone_shapes(const StoneParameters& parameters
   clump.max_spheres = parameters.max_spheres;
   clump.mass_scheme = mass_scheme(parameters.mass_properties);
 
-  std::vector<dem::ClumpShape> shapes;
-  for (const NamedMesh& stone : meshes) {
+  std::vector<Stone> stones;
+  for (const NamedMesh& scan : meshes) {
     if (monitor.progress)
-      monitor.progress({"stones", static_cast<double>(shapes.size()) / meshes.size(), 0, 0});
-    clump.seed = parameters.seed + shapes.size();
+      monitor.progress({"stones", static_cast<double>(stones.size()) / meshes.size(), 0, 0});
+    clump.seed = parameters.seed + stones.size();
     try {
-      shapes.push_back(dem::make_clump(stone.mesh, clump));
+      stones.push_back(make_stone(scan.mesh, clump));
     } catch (const InputError& error) {
-      throw InputError("Stone " + stone.name + ": " + error.what());
+      throw InputError("Stone " + scan.name + ": " + error.what());
     }
-    shapes.back().name = stone.name;
+    stones.back().shape.name = scan.name;
   }
+  return stones;
+}
+
+std::vector<dem::ClumpShape> make_stone_shapes(const StoneParameters& parameters,
+                                               const Monitor& monitor)
+{
+  std::vector<dem::ClumpShape> shapes;
+  for (Stone& stone : make_stones(parameters, monitor)) shapes.push_back(std::move(stone.shape));
   return shapes;
+}
+
+BodyPose body_pose(const Stone& stone, const dem::Vector3& place, const dem::Quaternion& attitude)
+{
+  const dem::Quaternion orientation = (attitude * stone.axes).normalized();
+  return {place - orientation * stone.centre, orientation};
 }
 } // namespace interlock::coupling

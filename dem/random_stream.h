@@ -31,6 +31,14 @@ public:
     return {r * std::cos(angle), r * std::sin(angle), z};
   }
 
+  // Uniform over all rotations (Shoemake, Graphics Gems III, 1992).
+  Quaternion rotation()
+  {
+    const double u = uniform(), a = uniform(0, 2 * M_PI), b = uniform(0, 2 * M_PI);
+    return {std::sqrt(1 - u) * std::sin(a), std::sqrt(1 - u) * std::cos(a),
+            std::sqrt(u) * std::sin(b), std::sqrt(u) * std::cos(b)};
+  }
+
   // 0 .. count-1 in random order (Fisher and Yates).
   std::vector<int> permutation(int count)
   {

@@ -142,7 +142,7 @@ TEST_F(BadParameterFile, GeogridLargerThanTheBoxIsMeasured)
 
 TEST_F(BadParameterFile, OtherExperimentsAreNotAvailable)
 {
-  expect_words(errors_with("Experiment=heap"), {"\"heap\"", "not available in this version"});
+  expect_words(errors_with("Experiment=settle"), {"\"settle\"", "not available in this version"});
   expect_words(errors_with("Experiment=pullout"), {"\"pullout\"", "\"pull-out\""});
 }
 

@@ -125,8 +125,8 @@ TEST_F(Program, RefusesUnknownCommandsAndOptions)
   expect_refusal({"file"});
   run("");
   expect_refusal({"--help"});
-  run("template heap");
-  expect_refusal({"heap"});
+  run("template settle");
+  expect_refusal({"settle"});
   run("report no_such_folder");
   expect_refusal({"no_such_folder"});
 }

@@ -1,0 +1,94 @@
+#include "coupling/heap_declarations.h"
+
+#include "coupling/stone_declarations.h"
+
+namespace interlock::coupling
+{
+namespace
+{
+const Range friction{0, 5, true};
+
+void declare_contact(ParameterTable& table, HeapContactParameters& contact)
+{
+  table.open_section("Contact");
+  table.require("Normal stiffness", contact.normal_stiffness, positive,
+                "Normal stiffness of a contact, of two stones or of a stone and the floor. [N/m]");
+  table.require("Tangential ratio", contact.tangential_ratio, {0, 2, false},
+                "Tangential over normal contact stiffness. [-]");
+  table.require("Stone friction", contact.stone_friction, friction,
+                "Friction coefficient between two stones. [-]");
+  table.require("Floor friction", contact.floor_friction, friction,
+                "Friction coefficient between a stone and the floor. [-]");
+  table.require("Damping ratio", contact.damping_ratio, {0, 1, true},
+                "Normal and tangential contact dashpots, share of the critical damping. [-]");
+  table.require("Local damping", contact.local_damping, {0, 1},
+                "Share of the unbalanced force taken from stones that touch something (Cundall's "
+                "local damping); a stone in free fall has none. [-]");
+}
+
+void declare_drop(ParameterTable& table, DropParameters& drop)
+{
+  table.open_section("Drop");
+  table.offer_seed("Seed", drop.seed,
+                   "Seed of the places of the shapes and of the attitudes of the stones. [-]");
+  table.require("Batches", drop.batches, {1, 10000, true},
+                "Number of batches; each holds every shape once, in the same order. [-]");
+  table.require("Height", drop.height, positive,
+                "Height of a stone's centre above the floor when it is let go, at rest. [m]");
+  table.require("Disc radius", drop.disc_radius, not_negative,
+                "Every shape has its own place, the same in each batch, in a horizontal disc of "
+                "this radius. [m]");
+  table.require("Floor side", drop.floor_side, positive,
+                "Side of the square floor, its middle below that of the disc. [m]");
+  table.require("Kinetic energy ratio", drop.kinetic_energy_ratio, positive,
+                "At rest when the kinetic energy is below this share of total weight x mean stone "
+                "size. [-]");
+  table.require("Settling time limit", drop.settling_time_limit, positive,
+                "The run ends this long after the last stone has fallen at the latest, with a "
+                "warning. [s]");
+}
+} // namespace
+
+void declare_heap(ParameterTable& table, HeapParameters& parameters)
+{
+  table.open_section("");
+  table.require("Gravity", parameters.gravity, positive,
+                "Acceleration of gravity, downwards along z. [m/s2]");
+  declare_stones(table, parameters.stones);
+  declare_contact(table, parameters.contact);
+  declare_drop(table, parameters.drop);
+
+  table.open_section("Measures");
+  table.require("Radius", parameters.measures.radius, positive,
+                "The share of the mass whose distance from the heap's centroid in plan is larger "
+                "is reported. [m]");
+  table.require("Elongation limit", parameters.measures.elongation_limit, {0, 1, true},
+                "A stone counts as elongated when its intermediate over its longest axis (I/L, "
+                "Zingg 1935) is below. [-]");
+
+  table.open_section("Time");
+  table.offer("Step", parameters.time.step, 0, not_negative,
+              "Time step; 0: the safety factor times the stable step. [s]");
+  table.offer("Safety factor", parameters.time.safety_factor, 0.2, {0, 1, false},
+              "Time step as a share of the stable one. [-]");
+
+  table.open_section("Output");
+  table.offer("Record interval", parameters.output.record_interval, 0.02, positive,
+              "Simulated time between two rows of history.csv. [s]");
+  table.offer("Frame interval", parameters.output.frame_interval, 0, not_negative,
+              "Simulated time between two frames for ParaView; 0: the last state only. [s]");
+  table.offer("Report", parameters.output.report, true, "Draw the figures at the end of the run.");
+}
+
+std::vector<ParameterProblem> check_heap(const HeapParameters& parameters)
+{
+  const DropParameters& drop = parameters.drop;
+  ParameterProblems problems;
+  check_stones(parameters.stones, problems);
+  if (drop.disc_radius >= 0.5 * drop.floor_side)
+    problems.add("Drop/Disc radius", "The disc from which the stones fall has a radius of ",
+                 drop.disc_radius, " m, but it must be smaller than half the side of the floor, ",
+                 0.5 * drop.floor_side, " m.");
+  return problems.take();
+}
+} // namespace interlock::coupling
