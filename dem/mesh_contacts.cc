@@ -30,9 +30,7 @@ double MeshContacts::elastic_energy(const MeshContact& c, const ContactPropertie
 void MeshContacts::evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double time_step,
                             ContactEnergy& energy)
 {
-  // Half of the work of the last move is done by the forces before it, half by those after it.
   for (MeshWall& wall : walls) {
-    wall.work -= 0.5 * (wall.force.dot(wall.moved) + wall.torque.dot(wall.turned));
     wall.force.setZero();
     wall.torque.setZero();
   }
@@ -69,11 +67,6 @@ void MeshContacts::evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double
     }
   }
   lose_all(old_.size());
-  for (MeshWall& wall : walls) {
-    wall.work -= 0.5 * (wall.force.dot(wall.moved) + wall.torque.dot(wall.turned));
-    wall.moved.setZero();
-    wall.turned.setZero();
-  }
 }
 
 // Leaves in kept_ the local minima of the distance from `centre` (frame of the wall) that are
@@ -113,6 +106,19 @@ void MeshContacts::find_contacts(const MeshSurface& surface, const Near& near, c
   }
 }
 
+// The smallest number that no contact of the sphere has, old or new.
+int MeshContacts::free_number(std::size_t first, std::size_t last, std::size_t new_first) const
+{
+  const auto is_free = [&](int number) {
+    const auto has = [number](const MeshContact& c) { return c.number == number; };
+    return std::none_of(old_.begin() + first, old_.begin() + last, has) &&
+           std::none_of(contacts_.begin() + new_first, contacts_.end(), has);
+  };
+  int number = 0;
+  while (!is_free(number)) ++number;
+  return number;
+}
+
 // Appends the contacts of kept_ that touch, each with the history of the old one of its direction,
 // and ends the old ones that have opened or vanished.
 void MeshContacts::match(const MeshWall& wall, const Clumps& clumps, MeshContact sphere,
@@ -120,7 +126,7 @@ void MeshContacts::match(const MeshWall& wall, const Clumps& clumps, MeshContact
                          ContactEnergy& energy)
 {
   const double radius = clumps.shape_of(sphere.i).spheres[sphere.a].radius;
-  const std::size_t had = last - first;
+  const std::size_t had = last - first, new_first = contacts_.size();
   for (const Foot& foot : kept_) {
     const double depth = radius - foot.nearest.distance;
     MeshContact c = sphere;
@@ -131,7 +137,12 @@ void MeshContacts::match(const MeshWall& wall, const Clumps& clumps, MeshContact
       const double cosine = old_[k].normal.dot(c.normal);
       if (old_[k].i >= 0 && cosine > closest) mine = k, closest = cosine;
     }
-    if (mine < last) c.history = old_[mine].history, c.shared = old_[mine].shared;
+    if (mine < last) {
+      c.history = old_[mine].history;
+      c.shared = old_[mine].shared;
+      c.number = old_[mine].number;
+    } else
+      c.number = free_number(first, last, new_first);
     c.depth = depth;
     c.point = wall.orientation * foot.nearest.point + wall.centre - 0.5 * depth * c.normal;
     const Vector3 relative = relative_velocity(c, clumps, wall);

@@ -14,6 +14,7 @@ namespace interlock::dem
 // centre to the surface. A sphere has one on a face, a convex edge or a vertex, two in a groove.
 struct MeshContact {
   int i = 0, wall = 0, a = 0;
+  int number = 0;                   // among the contacts of the sphere with the wall, kept for life
   ContactHistory history;           // of the clump against the wall
   Vector3 force = Vector3::Zero();  // on the clump [N]
   Vector3 point = Vector3::Zero();  // mid-overlap, world [m]
@@ -45,7 +46,7 @@ public:
 
   // Evaluates all contacts at the present poses, for which update_list must have been called, and
   // advances springs by `time_step` [s]. Adds to clumps.force and clumps.torque, to all of `energy`
-  // (the elastic part included) and to the work of the walls; sets force and torque of the walls.
+  // (the elastic part included); sets force and torque of the walls.
   // Velocities are clumps.step_velocity and .step_spin, and those of the walls' last move.
   void evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double time_step,
                 ContactEnergy& energy);
@@ -86,6 +87,7 @@ private:
   // The contacts of one sphere at the last evaluation are old_[first] to old_[last - 1].
   void match(const MeshWall& wall, const Clumps& clumps, MeshContact sphere, std::size_t first,
              std::size_t last, double time_step, ContactEnergy& energy);
+  int free_number(std::size_t first, std::size_t last, std::size_t new_first) const;
   void touch(MeshContact& contact, const Vector3& relative, Clumps& clumps, MeshWall& wall,
              double time_step, ContactEnergy& energy);
   static void lose(const MeshContact& contact, const Clumps& clumps, const MeshWall& wall,

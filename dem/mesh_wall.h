@@ -77,17 +77,26 @@ struct MeshWall {
   Vector3 spin = Vector3::Zero();     // about the centre [rad/s]
   ContactProperties contact;          // with a stone
 
-  // Kept by MeshContacts::evaluate.
-  Vector3 force = Vector3::Zero();  // of the stones on the wall, at the last step [N]
-  Vector3 torque = Vector3::Zero(); // the same about the centre [N m]
-  double work = 0;                  // done by the wall on the stones, since the beginning [J]
-  // Kept by move(): of the last step, not yet booked as work.
-  Vector3 moved = Vector3::Zero();  // of the centre [m]
-  Vector3 turned = Vector3::Zero(); // rotation vector [rad]
+  // Of the stones on the wall at the last step, set by MeshContacts::evaluate; others may add to
+  // them until the wall moves.
+  Vector3 force = Vector3::Zero();  // [N]
+  Vector3 torque = Vector3::Zero(); // about the centre [N m]
 
   // Of the wall's material at a point of the world [m/s].
   Vector3 velocity_at(const Vector3& point) const { return velocity + spin.cross(point - centre); }
   void move(double time_step); // [s]
+
+  // Done by the wall on the stones since the beginning, up to the present pose [J]: a leapfrog kick
+  // does the work of the mean of the forces at both ends of a step.
+  double work() const { return booked_work_ + half_work(); }
+
+private:
+  // Of the present forces in the last move [J].
+  double half_work() const { return -0.5 * (force.dot(moved_) + torque.dot(turned_)); }
+
+  double booked_work_ = 0;
+  Vector3 moved_ = Vector3::Zero();  // in the last move, the centre [m]
+  Vector3 turned_ = Vector3::Zero(); // in the last move, rotation vector [rad]
 };
 
 // A wall from triangles given in the world frame [m], that turns about `centre` (world).

@@ -132,7 +132,7 @@ struct Stage {
     double sum = e.kinetic + e.gravitational + e.contact.elastic + e.contact.friction +
                  e.contact.damping + energy.elastic + energy.friction + energy.damping -
                  e.wall_work;
-    for (const MeshWall& wall : meshes) sum -= wall.work;
+    for (const MeshWall& wall : meshes) sum -= wall.work();
     return sum;
   }
 

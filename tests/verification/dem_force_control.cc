@@ -109,7 +109,7 @@ TEST(ForceControl, WorkIsInTheLedger)
     const double start = press.stage.ledger(dt);
     for (int n = 0; n < 8000; ++n) press.stage.move(dt), press.step(dt);
     const double work =
-        is_mesh ? press.stage.meshes[0].work : press.stage.engine.energy(dt).wall_work;
+        is_mesh ? press.stage.meshes[0].work() : press.stage.engine.energy(dt).wall_work;
     const double each = press.force / 6;
     EXPECT_GT(work, 6 * 2 * 0.5 * each * each / k); // two springs a ball
     // The rectangle's work is booked with the force at the end of each step, at first order.
