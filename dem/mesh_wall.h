@@ -82,8 +82,14 @@ struct MeshWall {
   Vector3 force = Vector3::Zero();  // [N]
   Vector3 torque = Vector3::Zero(); // about the centre [N m]
 
-  // Of the wall's material at a point of the world [m/s].
-  Vector3 velocity_at(const Vector3& point) const { return velocity + spin.cross(point - centre); }
+  // Mean velocity, over the last move, of the wall's material that is now at a point of the world
+  // [m/s]: the chord of its way. With the velocity at the end instead, a ball that rides on a
+  // turntable would creep outwards by w^2 r dt/2 a second. Before the first move: the velocity.
+  Vector3 velocity_at(const Vector3& point) const
+  {
+    const Vector3 arm = point - centre;
+    return velocity + spin.cross(arm - 0.5 * turned_.cross(arm));
+  }
   void move(double time_step); // [s]
 
   // Done by the wall on the stones since the beginning, up to the present pose [J]: a leapfrog kick

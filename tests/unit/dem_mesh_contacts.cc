@@ -222,6 +222,35 @@ TEST(MeshContacts, SpringGoesOverAnEdge)
   }
 }
 
+// A ball held on a turning plate: the spring turns with both.
+TEST(MeshContacts, SpringTurnsWithATurningWall)
+{
+  const ContactProperties pair = springs(k, 10);
+  Stage stage({ball(r)}, pair, 0);
+  stage.add_mesh(floor_of(4), pair);
+  Clumps& c = stage.engine.clumps();
+  stage.add(0, {0.05, 0, 0.99 * r}, {0.1, 0, 0});
+  stage.forces(1e-5); // 1 um along x
+  const Vector3 spin(0, 0, 20);
+  const double dt = 2e-5;
+  const int quarter = static_cast<int>(0.5 * M_PI / 20 / dt);
+  stage.meshes[0].spin = spin;
+  c.step_spin[0] = spin;
+  for (int n = 1; n <= quarter; ++n) {
+    stage.meshes[0].move(dt);
+    const double angle = 20 * dt * (n - 0.5); // velocity in the middle of the step
+    c.step_velocity[0] = spin.cross(0.05 * Vector3(std::cos(angle), std::sin(angle), 0));
+    c.position[0] = {0.05 * std::cos(20 * dt * n), 0.05 * std::sin(20 * dt * n), 0.99 * r};
+    stage.forces(dt);
+  }
+  ASSERT_EQ(stage.contacts.contacts().size(), 1u);
+  const double angle = 20 * dt * quarter;
+  EXPECT_LT((stage.contacts.contacts()[0].history.spring -
+             1e-6 * Vector3(std::cos(angle), std::sin(angle), 0))
+                .norm(),
+            2e-8);
+}
+
 namespace
 {
 // All contacts of one sphere by their definition, from every triangle of the surface.

@@ -205,3 +205,38 @@ TEST(MeshMotion, LedgerOfATumblingDrum)
     EXPECT_NEAR(stage.ledger(dt), start, 2e-3 * turnover) << facets << " facets";
   }
 }
+
+// Pressed by a tenth of its radius, a ball slides to and fro in a groove of 17 degrees. The contact
+// with the other side appears when it is deep already, and goes while it is pressed: neither may make
+// energy or lose any that is not booked.
+TEST(MeshMotion, LedgerOfContactsThatSplitAndMerge)
+{
+  const double dt = 5e-6, angle = 8.5 * M_PI / 180, heavy = 1000;
+  for (const double friction : {0., 0.2}) {
+    const ContactProperties pair = springs(1e4, friction);
+    Stage stage({ball(r)}, pair, heavy);
+    TriangleMesh groove = rectangle({0, -0.1, 0}, {0, 0.2, 0},
+                                    0.1 * Vector3(std::cos(angle), 0, std::sin(angle)), 7, 7);
+    append(groove, rectangle({0, -0.1, 0}, {0, 0.2, 0},
+                             0.1 * Vector3(-std::cos(angle), 0, std::sin(angle)), 5, 5));
+    stage.add_mesh(groove, pair);
+    const double depth = stage.add(0, {0, 0, 1}, Vector3::Zero()) +
+                         stage.engine.clumps().mass[0] * heavy * std::cos(angle) / 1e4;
+    ASSERT_GT(depth, 0.09 * r);
+    stage.engine.clumps().position[0] =
+        0.02 * Vector3(std::cos(angle), 0, std::sin(angle)) +
+        (r - depth) * Vector3(-std::sin(angle), 0, std::cos(angle));
+    stage.forces(dt);
+    const double start = stage.ledger(dt), stored = stage.energy.elastic;
+    std::size_t split = 0;
+    double largest = 0;
+    for (int n = 0; n < 20000; ++n) {
+      stage.move(dt);
+      stage.forces(dt);
+      for (const MeshContact& c : stage.contacts.contacts()) split += c.shared > 0.01 * r;
+      largest = std::max(largest, std::abs(stage.ledger(dt) - start));
+    }
+    EXPECT_GT(split, 10u);
+    EXPECT_LT(largest, 2e-3 * stored) << friction;
+  }
+}
