@@ -42,10 +42,10 @@ void MeshContacts::update_list(const Clumps& clumps, const std::vector<MeshWall>
     const auto [i, w] = key;
     const Vector3 x = in_wall_frame(walls[w], clumps.position[i]);
     const Quaternion q = walls[w].orientation.conjugate() * clumps.orientation[i];
-    const double moved =
-        near.fresh ? (x - near.x).norm() +
-                         2 * clumps.member_reach(i) * (near.q.conjugate() * q).vec().norm()
-                   : std::numeric_limits<double>::infinity();
+    const double moved = near.fresh
+                             ? (x - near.x).norm() + 2 * clumps.member_reach(i) *
+                                                         (near.q.conjugate() * q).vec().norm()
+                             : std::numeric_limits<double>::infinity();
     if (moved > near.skin) renew_members(clumps, walls[w], i, near);
   }
 }
@@ -74,8 +74,7 @@ void MeshContacts::renew_members(const Clumps& clumps, const MeshWall& wall, int
   near.candidates.clear();
   const std::vector<Sphere>& spheres = clumps.shape_of(i).spheres;
   for (int a = 0; a < static_cast<int>(spheres.size()); ++a) {
-    const Vector3 centre =
-        in_wall_frame(wall, clumps.position[i] + clumps.member_offset(i, a));
+    const Vector3 centre = in_wall_frame(wall, clumps.position[i] + clumps.member_offset(i, a));
     const double reach = spheres[a].radius + near.skin;
     const int first = static_cast<int>(near.candidates.size());
     for (const int t : near.triangles)

@@ -126,8 +126,7 @@ void append_rolling(const std::vector<SphereContact>& contacts, const Clumps& cl
     RollingContact r;
     r.key = {0, c.i, c.j, c.a, c.b};
     r.i = c.i, r.j = c.j;
-    r.normal =
-        (member_centre(clumps, c.i, c.a) - member_centre(clumps, c.j, c.b)).normalized();
+    r.normal = (member_centre(clumps, c.i, c.a) - member_centre(clumps, c.j, c.b)).normalized();
     r.normal_force = c.force.dot(r.normal);
     r.radius_i = radius_of(clumps, c.i, c.a), r.radius_j = radius_of(clumps, c.j, c.b);
     r.normal_stiffness = normal_stiffness;

@@ -28,12 +28,12 @@ struct RollingContact {
   // Tells the contact from all others, for as long as it lives: kind (0 spheres, 1 wall, 2 wall of
   // triangles), clump i, clump j or wall, and two more numbers.
   std::array<int, 5> key;
-  int i = 0, j = -1; // clumps; j = -1: a wall
-  int mesh = -1;     // number of the wall of triangles, -1: none
-  Vector3 normal;    // from j (the wall) to i, unit, world
-  double normal_force = 0;                                                         // [N]
-  double radius_i = 0, radius_j = std::numeric_limits<double>::infinity();         // [m]
-  double normal_stiffness = 0;                                                     // k_n [N/m]
+  int i = 0, j = -1;       // clumps; j = -1: a wall
+  int mesh = -1;           // number of the wall of triangles, -1: none
+  Vector3 normal;          // from j (the wall) to i, unit, world
+  double normal_force = 0; // [N]
+  double radius_i = 0, radius_j = std::numeric_limits<double>::infinity(); // [m]
+  double normal_stiffness = 0;                                             // k_n [N/m]
   RollingProperties rolling;
 };
 

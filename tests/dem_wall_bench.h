@@ -93,8 +93,7 @@ struct Stage {
   int add(int shape, const Vector3& position, const Vector3& velocity,
           const Vector3& spin = Vector3::Zero(), double density = 2650)
   {
-    const int i =
-        engine.add_clump(shape, density, position, Quaternion::Identity(), velocity);
+    const int i = engine.add_clump(shape, density, position, Quaternion::Identity(), velocity);
     Clumps& c = engine.clumps();
     c.spin[i] = c.step_spin[i] = spin;
     c.angular_momentum[i] = c.inertia[i].cwiseProduct(spin);

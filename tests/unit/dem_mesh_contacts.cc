@@ -36,8 +36,8 @@ void expect_contact(const MeshContact& contact, const Vector3& nearest, const Ve
 TriangleMesh roof(double angle, int cells)
 {
   const Vector3 start(0, -0.05, 0), along(0, 0.1, 0);
-  TriangleMesh mesh = rectangle(start, along,
-                                0.1 * Vector3(std::cos(angle), 0, std::sin(angle)), cells, cells);
+  TriangleMesh mesh =
+      rectangle(start, along, 0.1 * Vector3(std::cos(angle), 0, std::sin(angle)), cells, cells);
   append(mesh, rectangle(start, along, 0.1 * Vector3(-std::cos(angle), 0, std::sin(angle)), cells,
                          cells));
   return mesh;

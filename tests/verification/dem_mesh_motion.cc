@@ -1,9 +1,9 @@
 // Moving walls of triangles and their ledger. Belt: a body that cannot roll reaches the speed of
 // the belt after V/(mu g), half of the belt's work M V^2 becomes heat; a ball rolls on with 2/7 V
 // (sliding friction ends when its lowest point moves with the belt). Drum: the wall moves with w x
-// r, so a ball at the bottom of a drum that turns about +y is dragged to -x with mu g and spun about
-// +y with 5/2 mu g/r. Fails when a sign or an arm is wrong, work is booked twice or late, or the
-// frame of the wall shows in the result.
+// r, so a ball at the bottom of a drum that turns about +y is dragged to -x with mu g and spun
+// about +y with 5/2 mu g/r. Fails when a sign or an arm is wrong, work is booked twice or late, or
+// the frame of the wall shows in the result.
 #include "tests/dem_wall_bench.h"
 
 #include <gtest/gtest.h>
@@ -112,8 +112,8 @@ TEST(MeshMotion, DrumDragsABall)
   ASSERT_EQ(stage.contacts.contacts().size(), 1u);
   const Clumps& c = stage.engine.clumps();
   const Vector3 point = stage.contacts.contacts()[0].point;
-  const Vector3 slip = c.velocity[0] + c.spin[0].cross(point - c.position[0]) -
-                       stage.meshes[0].velocity_at(point);
+  const Vector3 slip =
+      c.velocity[0] + c.spin[0].cross(point - c.position[0]) - stage.meshes[0].velocity_at(point);
   EXPECT_LT(slip.norm(), 0.01 * spin * R);
   EXPECT_GT(c.spin[0].y(), 0);
   EXPECT_NEAR(stage.ledger(dt), start, 2e-3 * stage.meshes[0].work());
@@ -207,8 +207,8 @@ TEST(MeshMotion, LedgerOfATumblingDrum)
 }
 
 // Pressed by a tenth of its radius, a ball slides to and fro in a groove of 17 degrees. The contact
-// with the other side appears when it is deep already, and goes while it is pressed: neither may make
-// energy or lose any that is not booked.
+// with the other side appears when it is deep already, and goes while it is pressed: neither may
+// make energy or lose any that is not booked.
 TEST(MeshMotion, LedgerOfContactsThatSplitAndMerge)
 {
   const double dt = 5e-6, angle = 8.5 * M_PI / 180, heavy = 1000;
@@ -223,9 +223,8 @@ TEST(MeshMotion, LedgerOfContactsThatSplitAndMerge)
     const double depth = stage.add(0, {0, 0, 1}, Vector3::Zero()) +
                          stage.engine.clumps().mass[0] * heavy * std::cos(angle) / 1e4;
     ASSERT_GT(depth, 0.09 * r);
-    stage.engine.clumps().position[0] =
-        0.02 * Vector3(std::cos(angle), 0, std::sin(angle)) +
-        (r - depth) * Vector3(-std::sin(angle), 0, std::cos(angle));
+    stage.engine.clumps().position[0] = 0.02 * Vector3(std::cos(angle), 0, std::sin(angle)) +
+                                        (r - depth) * Vector3(-std::sin(angle), 0, std::cos(angle));
     stage.forces(dt);
     const double start = stage.ledger(dt), stored = stage.energy.elastic;
     std::size_t split = 0;

@@ -59,8 +59,7 @@ void expect_same(const Start& start, int steps, double friction, double damping)
     EXPECT_LT((mesh.position - plane.position).norm(), 1e-12 * radius) << cells;
     EXPECT_LT((mesh.velocity - plane.velocity).norm(), 1e-12 * (plane.velocity.norm() + 0.1))
         << cells;
-    EXPECT_LT((mesh.spin - plane.spin).norm(), 1e-12 * (plane.spin.norm() + 0.1 / radius))
-        << cells;
+    EXPECT_LT((mesh.spin - plane.spin).norm(), 1e-12 * (plane.spin.norm() + 0.1 / radius)) << cells;
     EXPECT_NEAR(mesh.friction, plane.friction, 1e-12 * plane.friction + 1e-18) << cells;
     EXPECT_NEAR(mesh.damping, plane.damping, 1e-12 * plane.damping + 1e-18) << cells;
   }
@@ -82,8 +81,8 @@ TEST(MeshPlane, SlideAndRollOverManyEdges)
 // The spring of a rolling ball is what the closed form needs: sliding stops at 5/7 of the speed.
 TEST(MeshPlane, SlidingTurnsIntoRollingAtFiveSeventhsOfTheSpeed)
 {
-  const End end = run({{-0.08, -0.031, radius}, {0.5, 0.1, 0}, Vector3::Zero()}, 40, 100000, 0.4,
-                      0.1);
+  const End end =
+      run({{-0.08, -0.031, radius}, {0.5, 0.1, 0}, Vector3::Zero()}, 40, 100000, 0.4, 0.1);
   EXPECT_NEAR(end.velocity.x(), 5. / 7 * 0.5, 2e-3);
   EXPECT_NEAR(end.velocity.y(), 5. / 7 * 0.1, 2e-3);
   EXPECT_NEAR(end.spin.y(), end.velocity.x() / radius, 5e-3 * end.spin.y());

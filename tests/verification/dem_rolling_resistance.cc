@@ -1,8 +1,8 @@
 // Rolling resistance of single spheres against closed forms: v' = -(5/7) mu_r g on a plane, then
-// rest; held on a slope below tan = mu_r and v' = (5/7) g (sin - mu_r cos) above; in a turning drum a
-// ball rolls in place where the slope is mu_r. Fails when the moment, its limit, its sign on either
-// body or the rolling radius is wrong, when it keeps swinging about zero instead of resting, when
-// springs are lost on a mesh, or when the ledger stays open.
+// rest; held on a slope below tan = mu_r and v' = (5/7) g (sin - mu_r cos) above; in a turning drum
+// a ball rolls in place where the slope is mu_r. Fails when the moment, its limit, its sign on
+// either body or the rolling radius is wrong, when it keeps swinging about zero instead of resting,
+// when springs are lost on a mesh, or when the ledger stays open.
 #include "dem/rolling_resistance.h"
 #include "tests/dem_wall_bench.h"
 
@@ -195,10 +195,10 @@ TEST(RollingResistance, MomentOfAPair)
   ContactEnergy energy;
   const Vector3 rolling(0, 2, 0), twist(7, 0, 0);
   // Elastic: 10 steps of 1e-4 s at 2 rad/s.
-  EXPECT_LT((moment_after(rolling, Vector3::Zero(), 10, energy) +
-             stiffness * 0.002 * Vector3::UnitY())
-                .norm(),
-            1e-12);
+  EXPECT_LT(
+      (moment_after(rolling, Vector3::Zero(), 10, energy) + stiffness * 0.002 * Vector3::UnitY())
+          .norm(),
+      1e-12);
   EXPECT_EQ(energy.friction, 0);
   EXPECT_NEAR(energy.elastic, 0.5 * stiffness * 0.002 * 0.002, 1e-15);
   // Full: the work done is stored and lost, nothing else.
