@@ -8,7 +8,7 @@ namespace interlock::dem
 {
 namespace
 {
-constexpr double triangle_skin = 0.25, member_skin = 0.05; // shares of the bounding radius
+constexpr double triangle_skin = 0.25, member_skin = 0.02; // shares of the bounding radius
 
 Vector3 in_wall_frame(const MeshWall& wall, const Vector3& x)
 {

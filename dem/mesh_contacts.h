@@ -40,7 +40,7 @@ public:
   // and the distance of a point to a rigid surface changes by no more than the point moves. So
   //   triangles farther than R + S from the clump's centre (R: bounding radius) cannot touch it
   //   while |x - x0| <= S, and those farther than r + s from a member sphere cannot touch that one
-  //   while u <= s. Here S = R/4 and s = R/20.
+  //   while u <= s. Here S = R/4 and s = R/50.
   // Both are checked for every clump at every call, and renewed for the clump that breaks one.
   void update_list(const Clumps& clumps, const std::vector<MeshWall>& walls);
 
