@@ -53,6 +53,12 @@ public:
 
   // Those that touch, sorted by (i, wall, a), then by depth.
   const std::vector<MeshContact>& contacts() const { return contacts_; }
+  // Goes on from contacts() of an earlier run, with the same digits.
+  void restore(std::vector<MeshContact> contacts)
+  {
+    contacts_ = std::move(contacts);
+    invalidate();
+  }
 
   // After clumps were removed: drops their contacts and renumbers the others.
   void renumber_clumps(const std::vector<int>& new_index);

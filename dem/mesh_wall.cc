@@ -125,14 +125,14 @@ void MeshSurface::triangles_within(const Vector3& x, double distance, std::vecto
 
 void MeshWall::move(double time_step)
 {
-  booked_work_ += half_work();
-  moved_ = time_step * velocity;
-  turned_ = time_step * spin;
-  booked_work_ += half_work();
-  centre += moved_;
-  const double angle = turned_.norm();
+  booked_work += half_work();
+  moved = time_step * velocity;
+  turned = time_step * spin;
+  booked_work += half_work();
+  centre += moved;
+  const double angle = turned.norm();
   if (angle == 0) return;
-  orientation = Quaternion(Eigen::AngleAxisd(angle, turned_ / angle)) * orientation;
+  orientation = Quaternion(Eigen::AngleAxisd(angle, turned / angle)) * orientation;
   orientation.normalize();
 }
 

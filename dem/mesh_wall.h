@@ -88,21 +88,20 @@ struct MeshWall {
   Vector3 velocity_at(const Vector3& point) const
   {
     const Vector3 arm = point - centre;
-    return velocity + spin.cross(arm - 0.5 * turned_.cross(arm));
+    return velocity + spin.cross(arm - 0.5 * turned.cross(arm));
   }
   void move(double time_step); // [s]
 
   // Done by the wall on the stones since the beginning, up to the present pose [J]: a leapfrog kick
   // does the work of the mean of the forces at both ends of a step.
-  double work() const { return booked_work_ + half_work(); }
-
-private:
+  double work() const { return booked_work + half_work(); }
   // Of the present forces in the last move [J].
-  double half_work() const { return -0.5 * (force.dot(moved_) + torque.dot(turned_)); }
+  double half_work() const { return -0.5 * (force.dot(moved) + torque.dot(turned)); }
 
-  double booked_work_ = 0;
-  Vector3 moved_ = Vector3::Zero();  // in the last move, the centre [m]
-  Vector3 turned_ = Vector3::Zero(); // in the last move, rotation vector [rad]
+  // Kept by move(), for checkpoints.
+  double booked_work = 0;           // [J]
+  Vector3 moved = Vector3::Zero();  // in the last move, the centre [m]
+  Vector3 turned = Vector3::Zero(); // in the last move, rotation vector [rad]
 };
 
 // A wall from triangles given in the world frame [m], that turns about `centre` (world).

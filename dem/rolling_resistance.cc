@@ -39,12 +39,12 @@ void RollingResistance::evaluate(std::vector<RollingContact> contacts, Clumps& c
   old_.swap(springs_);
   springs_.clear();
   auto old = old_.begin();
-  const auto lose = [&energy](const Spring& spring) {
+  const auto lose = [&energy](const RollingSpring& spring) {
     energy.friction += 0.5 * spring.stiffness * spring.angle.squaredNorm();
   };
   for (const RollingContact& c : contacts) {
     for (; old != old_.end() && old->key < c.key; ++old) lose(*old);
-    Spring spring;
+    RollingSpring spring;
     if (old != old_.end() && old->key == c.key) spring = *old++;
     if (c.rolling.friction <= 0) {
       lose(spring);
@@ -62,7 +62,7 @@ void RollingResistance::evaluate(std::vector<RollingContact> contacts, Clumps& c
 
 Vector3 RollingResistance::moment(const RollingContact& c, const Clumps& clumps,
                                   const std::vector<MeshWall>& meshes, double time_step,
-                                  Spring& spring, ContactEnergy& energy)
+                                  RollingSpring& spring, ContactEnergy& energy)
 {
   const double radius = 1 / (1 / c.radius_i + 1 / c.radius_j);
   const double arm = c.rolling.friction * radius;
@@ -101,8 +101,8 @@ Vector3 RollingResistance::moment(const RollingContact& c, const Clumps& clumps,
 
 void RollingResistance::renumber_clumps(const std::vector<int>& new_index)
 {
-  std::vector<Spring> kept;
-  for (Spring spring : springs_) {
+  std::vector<RollingSpring> kept;
+  for (RollingSpring spring : springs_) {
     spring.key[1] = new_index[spring.key[1]];
     if (spring.key[0] == 0) spring.key[2] = new_index[spring.key[2]];
     if (spring.key[1] >= 0 && spring.key[2] >= 0) kept.push_back(spring);
@@ -112,9 +112,10 @@ void RollingResistance::renumber_clumps(const std::vector<int>& new_index)
 
 void RollingResistance::forget_walls(int kind, int first)
 {
-  springs_.erase(std::remove_if(springs_.begin(), springs_.end(),
-                                [&](const Spring& s) { return wall_of(s.key, kind) >= first; }),
-                 springs_.end());
+  springs_.erase(
+      std::remove_if(springs_.begin(), springs_.end(),
+                     [&](const RollingSpring& s) { return wall_of(s.key, kind) >= first; }),
+      springs_.end());
 }
 
 void append_rolling(const std::vector<SphereContact>& contacts, const Clumps& clumps,

@@ -37,6 +37,14 @@ struct RollingContact {
   RollingProperties rolling;
 };
 
+// What a contact remembers.
+struct RollingSpring {
+  std::array<int, 5> key;
+  Vector3 angle = Vector3::Zero();   // rolling of i against j, less what slipped [rad]
+  Vector3 dashpot = Vector3::Zero(); // last dissipative moment [N m]
+  double stiffness = 0;              // k_r [N m/rad]
+};
+
 class RollingResistance
 {
 public:
@@ -54,18 +62,16 @@ public:
   void renumber_clumps(const std::vector<int>& new_index);
   void forget_walls(int kind, int first);
 
-private:
-  struct Spring {
-    std::array<int, 5> key;
-    Vector3 angle = Vector3::Zero();   // rolling of i against j, less what slipped [rad]
-    Vector3 dashpot = Vector3::Zero(); // last dissipative moment [N m]
-    double stiffness = 0;              // k_r [N m/rad]
-  };
-  static Vector3 moment(const RollingContact& contact, const Clumps& clumps,
-                        const std::vector<MeshWall>& meshes, double time_step, Spring& spring,
-                        ContactEnergy& energy);
+  // Sorted by key; restore() goes on from those of an earlier run, with the same digits.
+  const std::vector<RollingSpring>& springs() const { return springs_; }
+  void restore(std::vector<RollingSpring> springs) { springs_ = std::move(springs); }
 
-  std::vector<Spring> springs_, old_; // sorted by key
+private:
+  static Vector3 moment(const RollingContact& contact, const Clumps& clumps,
+                        const std::vector<MeshWall>& meshes, double time_step,
+                        RollingSpring& spring, ContactEnergy& energy);
+
+  std::vector<RollingSpring> springs_, old_; // sorted by key
 };
 
 // Appends the contacts that touch. `normal_stiffness`: of the pair [N/m].

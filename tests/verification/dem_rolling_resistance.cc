@@ -270,3 +270,29 @@ TEST(RollingResistance, RemovedClumpsAndWallsAreForgotten)
   resistance.evaluate(list, clumps, meshes, 1e-3, energy);
   EXPECT_EQ(clumps.torque[0], Vector3::Zero());
 }
+
+// Stopped, stored and gone on with: every digit is the same.
+TEST(RollingResistance, GoesOnFromAStoredState)
+{
+  const ContactProperties pair = springs(k, 0.5, 0.2);
+  RollingStage whole(pair, g, {0.25, 0.3});
+  whole.add_mesh(rectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, 190, 190), pair);
+  whole.meshes[0].velocity = {0.1, 0, 0};
+  whole.meshes[0].spin = {0, 0, 0.7};
+  for (int n = 0; n < 6; ++n)
+    whole.add(0, {0.0061 * (n % 3), 0.0047 * (n % 4), 0.012 + 0.021 * n}, Vector3::Zero());
+  whole.run(15000);
+  RollingStage resumed = whole;
+  resumed.contacts = MeshContacts();
+  resumed.contacts.restore(whole.contacts.contacts());
+  resumed.resistance = RollingResistance();
+  resumed.resistance.restore(whole.resistance.springs());
+  ASSERT_FALSE(whole.resistance.springs().empty());
+  for (RollingStage* stage : {&whole, &resumed}) stage->run(5000);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(resumed.engine.clumps().position[i], whole.engine.clumps().position[i]);
+    EXPECT_EQ(resumed.engine.clumps().spin[i], whole.engine.clumps().spin[i]);
+  }
+  EXPECT_EQ(resumed.meshes[0].work(), whole.meshes[0].work());
+  EXPECT_EQ(resumed.energy.friction, whole.energy.friction);
+}
