@@ -3,9 +3,6 @@
 #include "apps/nearest_name.h"
 #include "apps/parameter_scanner.h"
 #include "apps/value_error.h"
-#include "coupling/check_parameters.h"
-#include "coupling/parameter_table.h"
-#include "coupling/pull_out_declarations.h"
 #include "dem/input_error.h"
 
 #include <boost/algorithm/string/join.hpp>
@@ -22,7 +19,8 @@ namespace fs = std::filesystem;
 using coupling::ParameterEntry;
 using coupling::ParameterTable;
 
-const std::vector<std::string> experiments = {"pull-out", "heap", "settle", "packing", "geogrid"};
+// Names that the design gives to experiments to come.
+const std::vector<std::string> planned_experiments = {"heap", "settle", "geogrid"};
 
 const ParameterEntry* find_entry(const ParameterTable& table, const std::string& key)
 {
@@ -78,12 +76,13 @@ public:
     }
   }
 
-  const std::string* value_of(const std::string& key) const
+  // The last one of this entry; null when there is none.
+  const Assignment* find(const std::string& key) const
   {
-    const std::string* value = nullptr;
+    const Assignment* last = nullptr;
     for (const Assignment& assignment : assignments_)
-      if (assignment.key() == key) value = &assignment.value;
-    return value;
+      if (assignment.key() == key) last = &assignment;
+    return last;
   }
 
   void fill(ParameterTable& table)
@@ -94,17 +93,26 @@ public:
       if (!entry)
         errors_.push_back(assignment.place + ": " + explain_unknown(table, assignment));
       else if (!table.set(*entry, resolved(*entry, assignment)))
-        errors_.push_back(assignment.place + ": " + explain_bad_value(*entry, assignment.value));
+        add_bad_value(*entry, assignment);
     }
   }
 
   void find_missing(const ParameterTable& table)
   {
     for (const ParameterEntry& entry : table.entries())
-      if (entry.required && places_.count(entry.key()) == 0)
-        errors_.push_back(file_.string() + ": the entry \"" + entry.key() +
-                          "\" is missing; it must be " + entry.allowed + in_unit(entry) + " (" +
-                          entry.sentence.substr(0, entry.sentence.size() - 1) + ").");
+      if (entry.required && places_.count(entry.key()) == 0) add_missing(entry);
+  }
+
+  void add_missing(const ParameterEntry& entry)
+  {
+    errors_.push_back(file_.string() + ": the entry \"" + entry.key() +
+                      "\" is missing; it must be " + entry.allowed + in_unit(entry) + " (" +
+                      entry.sentence.substr(0, entry.sentence.size() - 1) + ").");
+  }
+
+  void add_bad_value(const ParameterEntry& entry, const Assignment& assignment)
+  {
+    errors_.push_back(assignment.place + ": " + explain_bad_value(entry, assignment.value));
   }
 
   void add_problem(const coupling::ParameterProblem& problem)
@@ -137,34 +145,53 @@ private:
   std::vector<std::string> errors_;
 };
 
-// The entries that a file may have depend on the experiment, so another one gets this sentence
-// alone.
-void check_experiment(const Input& input)
+void declare_experiment(ParameterTable& table, std::string& name)
 {
-  const std::string* experiment = input.value_of("Experiment");
-  if (experiment && *experiment != experiments.front() &&
-      std::count(experiments.begin(), experiments.end(), *experiment) == 1)
-    throw InputError("\"Experiment\" is \"" + *experiment +
+  table.require_choice("Experiment", name, experiment_names(), "What to simulate.");
+}
+
+// The entries that a file may have depend on the experiment: without a good one, no more than that
+// and what no line of its kind can be is said.
+const Experiment& choose_experiment(Input& input)
+{
+  const Assignment* assignment = input.find("Experiment");
+  const Experiment* experiment = assignment ? find_experiment(assignment->value) : nullptr;
+  if (experiment) return *experiment;
+
+  const auto& planned = planned_experiments;
+  if (assignment && std::count(planned.begin(), planned.end(), assignment->value) > 0)
+    throw InputError("\"Experiment\" is \"" + assignment->value +
                      "\", which is not available in this version; it runs \"" +
-                     experiments.front() + "\".");
+                     boost::algorithm::join(experiment_names(), "\", \"") + "\".");
+  ParameterTable table;
+  std::string name;
+  declare_experiment(table, name);
+  const ParameterEntry& entry = table.entries().front();
+  if (assignment)
+    input.add_bad_value(entry, *assignment);
+  else
+    input.add_missing(entry);
+  input.throw_errors();
+  return *experiment; // never reached
 }
 } // namespace
 
 RunInput read_parameter_file(const fs::path& file, const std::vector<std::string>& overrides)
 {
   Input input(file, overrides);
-  check_experiment(input);
-
   RunInput result;
+  result.experiment = &choose_experiment(input);
+  result.parameters = result.experiment->defaults;
+
   ParameterTable table;
-  std::string experiment;
-  table.require_choice("Experiment", experiment, {experiments.front()}, "What to simulate.");
-  coupling::declare_pull_out(table, result.parameters);
+  std::string name;
+  declare_experiment(table, name);
+  result.experiment->declare(table, result.parameters);
   input.fill(table);
   input.find_missing(table);
   input.throw_errors();
 
-  for (const auto& problem : coupling::check_parameters(result.parameters))
+  for (const auto& problem : result.experiment->check(result.parameters))
     input.add_problem(problem);
   input.throw_errors();
 

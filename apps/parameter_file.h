@@ -1,7 +1,7 @@
 // From a parameter file and the command line to parameters that can be run.
 #pragma once
 
-#include "coupling/pull_out_parameters.h"
+#include "apps/experiments.h"
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,8 @@
 namespace interlock::apps
 {
 struct RunInput {
-  coupling::PullOutParameters parameters;
+  const Experiment* experiment = nullptr; // of the table of experiments
+  ExperimentParameters parameters;        // those of this experiment
   std::string used; // a complete parameter file of all values, defaults included, paths absolute
 };
 

@@ -6,7 +6,6 @@
 #include "apps/progress.h"
 #include "apps/report_command.h"
 #include "coupling/atomic_file.h"
-#include "coupling/pull_out.h"
 #include "coupling/summary.h"
 
 #include <fstream>
@@ -72,12 +71,12 @@ std::string closing_text(const coupling::Summary& summary, const fs::path& folde
 coupling::Summary simulate(const RunInput& input, const fs::path& folder, RunLog& log,
                            const coupling::Monitor& monitor)
 {
-  coupling::PullOut pull_out(input.parameters, monitor);
+  const ReadyExperiment experiment = input.experiment->prepare(input.parameters, monitor);
   create_output_folder(folder);
   log.open(folder / "run.log");
   coupling::write_atomically(folder / "used.prm", input.used);
 
-  coupling::Summary summary = pull_out.run(folder);
+  coupling::Summary summary = experiment(folder);
   summary.version = INTERLOCK_VERSION;
   coupling::write_summary(folder / "summary.json", summary);
   return summary;
@@ -101,7 +100,7 @@ void run(const RunArguments& arguments)
     throw;
   }
   display.message(closing_text(summary, folder));
-  if (input.parameters.output.report && draw_figures(folder) != 0)
+  if (input.experiment->draws_figures(input.parameters) && draw_figures(folder) != 0)
     display.message("warning: the figures could not be drawn; \"interlock report " +
                     folder.string() + "\" tries again.");
   if (!summary.ledger_closes)

@@ -1,5 +1,7 @@
 #include "apps/template_command.h"
 
+#include "apps/experiments.h"
+
 #include <iostream>
 
 namespace interlock::apps
@@ -9,10 +11,13 @@ void add_template_command(CLI::App& program)
   CLI::App* command =
       program.add_subcommand("template", "Print a documented parameter file to start from.");
   auto experiment = std::make_shared<std::string>();
-  command->add_option("experiment", *experiment, "What to simulate: pull-out.")
+  const std::vector<std::string> names = experiment_names();
+  command
+      ->add_option("experiment", *experiment,
+                   "What to simulate: " + CLI::detail::join(names, ", ") + ".")
       ->required()
-      ->check(CLI::IsMember({"pull-out"}));
+      ->check(CLI::IsMember(names));
   command->footer("Example: interlock template pull-out > my.prm");
-  command->callback([experiment] { std::cout << pull_out_template(); });
+  command->callback([experiment] { std::cout << find_experiment(*experiment)->template_text; });
 }
 } // namespace interlock::apps

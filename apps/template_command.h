@@ -1,14 +1,11 @@
-// `interlock template pull-out`: a documented parameter file to start from.
+// `interlock template EXPERIMENT`: a documented parameter file to start from.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 namespace interlock::apps
 {
-// Adds the subcommand, which prints the pull-out case of Ferellec and McDowell (2010) to standard
+// Adds the subcommand, which prints the template of an experiment (experiments.h) to standard
 // output.
 void add_template_command(CLI::App& program);
-
-// The text that it prints: cases/pullout/pullout.prm, as it was when the program was built.
-const char* pull_out_template();
 } // namespace interlock::apps

@@ -9,6 +9,8 @@ target_compile_options(interlock_options INTERFACE
   -Wno-maybe-uninitialized
   # Square roots and selects stay scalar otherwise; nothing here reads errno or the trap flags.
   -fno-math-errno -fno-trapping-math
+  # `#pragma omp simd` on the hot loops; no threads.
+  -fopenmp-simd
   $<$<CONFIG:Release>:-O3> $<$<CONFIG:Debug>:-O1> -g1)
 if(INTERLOCK_NATIVE)
   target_compile_options(interlock_options INTERFACE -march=native)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 namespace interlock::coupling
 {
@@ -15,30 +14,13 @@ namespace fs = std::filesystem;
 // Room for decimal lengths such as 3 x 0.065 + 0.005 that have no exact binary form [m].
 constexpr double length_tolerance = 1e-9;
 
-class Problems
-{
-public:
-  // Joins the parts, numbers and words, into one sentence.
-  template <typename... Parts> void add(const std::string& entry, const Parts&... parts)
-  {
-    std::ostringstream sentence;
-    (sentence << ... << parts);
-    list_.push_back({entry, sentence.str()});
-  }
-
-  std::vector<ParameterProblem> take() { return std::move(list_); }
-
-private:
-  std::vector<ParameterProblem> list_;
-};
-
 bool is_scan(const fs::directory_entry& entry)
 {
   const std::string ending = boost::algorithm::to_lower_copy(entry.path().extension().string());
   return ending == ".stl" || ending == ".ply" || ending == ".obj";
 }
 
-void check_stones(const StoneParameters& stones, Problems& problems)
+void check_stones(const StoneParameters& stones, ParameterProblems& problems)
 {
   if (stones.folder.empty()) return;
   std::error_code error;
@@ -54,7 +36,8 @@ void check_stones(const StoneParameters& stones, Problems& problems)
                                        "folder of scans, for example 0.001 m for millimetres.");
 }
 
-void check_box(const BoxParameters& box, const GeogridParameters& geogrid, Problems& problems)
+void check_box(const BoxParameters& box, const GeogridParameters& geogrid,
+               ParameterProblems& problems)
 {
   if (box.slot_height >= 0.5 * box.height)
     problems.add("Box/Slot height", "The slot is ", box.slot_height,
@@ -65,7 +48,8 @@ void check_box(const BoxParameters& box, const GeogridParameters& geogrid, Probl
                  " m, to let them out.");
 }
 
-void check_lattice(const GeogridParameters& geogrid, const BoxParameters& box, Problems& problems)
+void check_lattice(const GeogridParameters& geogrid, const BoxParameters& box,
+                   ParameterProblems& problems)
 {
   const double width = geogrid.apertures_across * geogrid.pitch_across + geogrid.rib_width;
   if (width > box.width + length_tolerance)
@@ -79,7 +63,7 @@ void check_lattice(const GeogridParameters& geogrid, const BoxParameters& box, P
                  geogrid.rib_width, " m), but the box is only ", box.length, " m long.");
 }
 
-void check_ribs(const GeogridParameters& geogrid, Problems& problems)
+void check_ribs(const GeogridParameters& geogrid, ParameterProblems& problems)
 {
   const double pitch = std::min(geogrid.pitch_along, geogrid.pitch_across);
   if (geogrid.rib_width >= pitch)
@@ -93,7 +77,7 @@ void check_ribs(const GeogridParameters& geogrid, Problems& problems)
 }
 
 void check_surcharge(const SurchargeParameters& surcharge, const BoxParameters& box,
-                     Problems& problems)
+                     ParameterProblems& problems)
 {
   if (surcharge.force <= 0) return;
   const double largest = 0.5 * std::min(box.length, box.width);
@@ -103,7 +87,8 @@ void check_surcharge(const SurchargeParameters& surcharge, const BoxParameters& 
                  " m to fit into the box.");
 }
 
-void check_pull(const PullParameters& pull, const GeogridParameters& geogrid, Problems& problems)
+void check_pull(const PullParameters& pull, const GeogridParameters& geogrid,
+                ParameterProblems& problems)
 {
   const double length = geogrid.apertures_along * geogrid.pitch_along;
   if (pull.distance > length + length_tolerance)
@@ -118,7 +103,7 @@ void check_pull(const PullParameters& pull, const GeogridParameters& geogrid, Pr
 
 std::vector<ParameterProblem> check_parameters(const PullOutParameters& parameters)
 {
-  Problems problems;
+  ParameterProblems problems;
   check_stones(parameters.stones, problems);
   check_box(parameters.box, parameters.geogrid, problems);
   check_lattice(parameters.geogrid, parameters.box, problems);

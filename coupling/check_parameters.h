@@ -1,18 +1,11 @@
-// What a single entry's range cannot tell: parameters that contradict each other or the disk.
+// What the single entries of a pull-out cannot tell.
 #pragma once
 
+#include "coupling/parameter_problems.h"
 #include "coupling/pull_out_parameters.h"
-
-#include <string>
-#include <vector>
 
 namespace interlock::coupling
 {
-struct ParameterProblem {
-  std::string entry;    // "Section/Name" of the entry to change first
-  std::string sentence; // full sentence with the values and what is allowed
-};
-
 // All contradictions, in the order of the sections; empty when the parameters can be run. Every
 // number must be inside its own range already. Looks at the stones folder, changes nothing, never
 // throws.

@@ -1,5 +1,7 @@
 #include "coupling/energy_ledger.h"
 
+#include "dem/engine.h"
+
 #include <cmath>
 
 namespace interlock::coupling
@@ -19,6 +21,7 @@ const NamedEntry table[] = {
     {"elastic_geogrid", &EnergyLedger::elastic_geogrid},
     {"friction", &EnergyLedger::friction},
     {"contact_damping", &EnergyLedger::contact_damping},
+    {"contact_sharing", &EnergyLedger::contact_sharing},
     {"local_damping", &EnergyLedger::local_damping},
     {"geogrid_damping", &EnergyLedger::geogrid_damping},
     {"clamp_work", &EnergyLedger::clamp_work},
@@ -34,7 +37,8 @@ double EnergyLedger::residual() const
 {
   const double stored =
       kinetic_stones + kinetic_geogrid + gravitational + elastic_contacts + elastic_geogrid;
-  const double dissipated = friction + contact_damping + local_damping + geogrid_damping;
+  const double dissipated =
+      friction + contact_damping + contact_sharing + local_damping + geogrid_damping;
   return stored + dissipated - clamp_work - wall_work - inserted;
 }
 
@@ -54,6 +58,21 @@ std::vector<std::pair<std::string, double>> EnergyLedger::entries() const
   std::vector<std::pair<std::string, double>> result;
   for (const NamedEntry& entry : table) result.emplace_back(entry.name, this->*entry.member);
   return result;
+}
+
+EnergyLedger ledger_of(const dem::EngineEnergy& stones)
+{
+  EnergyLedger ledger;
+  ledger.kinetic_stones = stones.kinetic;
+  ledger.gravitational = stones.gravitational;
+  ledger.elastic_contacts = stones.contact.elastic;
+  ledger.friction = stones.contact.friction;
+  ledger.contact_damping = stones.contact.damping;
+  ledger.contact_sharing = stones.contact.sharing;
+  ledger.local_damping = stones.local_damping;
+  ledger.wall_work = stones.wall_work;
+  ledger.inserted = stones.inserted;
+  return ledger;
 }
 
 EnergyLedger difference(const EnergyLedger& end, const EnergyLedger& begin)

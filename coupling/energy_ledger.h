@@ -6,8 +6,17 @@
 #include <utility>
 #include <vector>
 
+namespace interlock::dem
+{
+struct EngineEnergy;
+}
+
 namespace interlock::coupling
 {
+// Errors of a run's ledger over the work put in: beyond the first it warns, beyond the second it
+// has failed [-].
+constexpr double ledger_bound = 0.01, ledger_failure = 0.1;
+
 // All in J. "Since the start" unless it says now.
 struct EnergyLedger {
   double kinetic_stones = 0;   // now
@@ -17,6 +26,7 @@ struct EnergyLedger {
   double elastic_geogrid = 0;  // now, strain energy of the beams
   double friction = 0;         // dissipated by sliding
   double contact_damping = 0;  // dissipated by contact dashpots
+  double contact_sharing = 0;  // taken out where contacts of a pair of bodies share their stiffness
   double local_damping = 0;    // dissipated by local damping of stones while they settle
   double geogrid_damping = 0;  // dissipated by mass damping of the geogrid
   double clamp_work = 0;       // done by the clamp on the geogrid
@@ -42,6 +52,9 @@ struct EnergyLedger {
   // Names and values in the order above, for tables and files.
   std::vector<std::pair<std::string, double>> entries() const;
 };
+
+// What the stones, the box and their contacts have: the entries of the geogrid are zero.
+EnergyLedger ledger_of(const dem::EngineEnergy& stones);
 
 // Entry by entry `end` minus `begin`: the ledger of one stage. Amounts "now" become changes.
 EnergyLedger difference(const EnergyLedger& end, const EnergyLedger& begin);

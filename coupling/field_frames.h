@@ -28,6 +28,6 @@ private:
 
   XdmfSeries clumps_, geogrid_, contacts_;
   std::vector<std::int64_t> first_id_; // ids at the first frame, ascending
-  std::vector<dem::Vector3> first_position_;
+  dem::VectorField first_position_;
 };
 } // namespace interlock::coupling

@@ -163,6 +163,21 @@ void ParameterTable::offer_choice(const std::string& name, std::string& member,
   bind(name, member, start, pattern_of(choices), quoted_choices(choices), text, false);
 }
 
+void ParameterTable::require_file(const std::string& name, std::string& member,
+                                  const std::string& text)
+{
+  bind(name, member, std::string(), dealii::Patterns::FileName(), "the name of a file", text, true);
+  entries_.back().is_path = true;
+}
+
+void ParameterTable::offer_file(const std::string& name, std::string& member,
+                                const std::string& text)
+{
+  bind(name, member, std::string(), dealii::Patterns::FileName(), "the name of a file", text,
+       false);
+  entries_.back().is_path = true;
+}
+
 void ParameterTable::offer_folder(const std::string& name, std::string& member,
                                   const std::string& text)
 {

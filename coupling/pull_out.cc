@@ -2,7 +2,6 @@
 
 #include "coupling/state_hash.h"
 #include "coupling/stone_library.h"
-#include "dem/input_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +12,6 @@ namespace interlock::coupling
 namespace
 {
 using dem::Vector3;
-
-// The step is bounded for a clump with this many contacts, more than stones in a packing carry on
-// average; a live bound is watched during the run.
-constexpr int expected_contacts = 8;
 
 dem::ContactProperties pair(double k1, double k2, double friction1, double friction2,
                             double tangential_ratio, double damping_ratio)
@@ -69,14 +64,7 @@ PullOut::PullOut(const PullOutParameters& parameters, const Monitor& monitor)
   geogrid_height_ = 0.5 * parameters.box.height;
 
   const dem::StableStep stable = engine_->expected_stable_step(densities, expected_contacts);
-  if (parameters.time.step > stable.step)
-    throw InputError("Entry Time/Step is " + text("%.3g", parameters.time.step) +
-                     " s, above the stable step of " + text("%.3g", stable.step) +
-                     " s; the lightest stone, of " + text("%.3g", 1e3 * stable.mass) +
-                     " g, sets it (allowed: 0 for automatic, or up to " +
-                     text("%.3g", stable.step) + " s).");
-  dt_ =
-      parameters.time.step > 0 ? parameters.time.step : parameters.time.safety_factor * stable.step;
+  dt_ = choose_time_step(parameters.time, stable);
   end_stage(std::to_string(densities.size()) + " stones of " +
             std::to_string(spheres / densities.size()) + " spheres on average, mean size " +
             text("%.1f", 1e3 * mean_size_) + " mm; time step " + text("%.3g", 1e6 * dt_) +

@@ -2,6 +2,8 @@
 // member repeats the unit of the entry in the file.
 #pragma once
 
+#include "coupling/time_step.h"
+
 #include <cstdint>
 #include <string>
 
@@ -80,11 +82,6 @@ struct PullParameters {
   double speed = 0;     // of the front edge [m/s]
   double distance = 0;  // [m]
   double ramp_time = 0; // from rest to full speed [s]
-};
-
-struct TimeParameters {
-  double step = 0;          // 0: safety factor times the stable step [s]
-  double safety_factor = 0; // share of the stable step [-]
 };
 
 struct OutputParameters {

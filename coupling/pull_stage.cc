@@ -11,10 +11,6 @@ namespace interlock::coupling
 {
 namespace
 {
-// Errors of the ledger over the work put in: beyond the first the run warns, beyond the second it
-// has failed [-].
-constexpr double ledger_bound = 0.01, ledger_failure = 0.1;
-
 std::string sentence(const char* format, double a, double b)
 {
   char buffer[256];
@@ -120,7 +116,7 @@ void PullOut::describe_packing()
   const BoxParameters& box = parameters_.box;
   const double mass = filling_->mass_in_box(), surface = filling_->surface_height();
   const double stones = static_cast<double>(engine_->clumps().size());
-  const std::vector<double>& masses = engine_->clumps().mass; // the surcharge's, too
+  const dem::ScalarField& masses = engine_->clumps().mass; // the surcharge's, too
   const double total_mass = std::accumulate(masses.begin(), masses.end(), 0.);
   nlohmann::ordered_json& results = summary_.results;
   results["rigid"] = parameters_.geogrid.rigid;

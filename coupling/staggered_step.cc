@@ -21,8 +21,8 @@ void StaggeredStep::remove_clumps(const std::vector<bool>& remove)
 {
   // Their springs at ribs go with them.
   geogrid_inserted_ -= rib_contacts_.elastic_energy_of(remove);
-  mean_rib_force_.clear(); // by index
-  mean_rib_torque_.clear();
+  mean_rib_force_.resize(0); // by index
+  mean_rib_torque_.resize(0);
   rib_contacts_.renumber_clumps(engine_.remove_clumps(remove));
 }
 
@@ -32,18 +32,17 @@ void StaggeredStep::advance(double dt, const dem::Vector3& clamp_velocity, Energ
   engine_.compute_forces(dt);
   if (ledger) book(*ledger, dt);
 
-  near_rib_.assign(clumps.size(), false);
-  mean_rib_force_.resize(clumps.size(), dem::Vector3::Zero());
-  mean_rib_torque_.resize(clumps.size(), dem::Vector3::Zero());
+  near_rib_.resize(0);
+  near_rib_.resize(clumps.size());
+  mean_rib_force_.resize(clumps.size());
+  mean_rib_torque_.resize(clumps.size());
   if (geogrid_) {
     geogrid_->refresh_all_ribs();
     rib_contacts_.update_list(clumps, geogrid_->ribs(), dt);
-    for (const int i : rib_contacts_.near_clumps()) near_rib_[i] = true;
+    for (const int i : rib_contacts_.near_clumps()) near_rib_[i] = 1;
   }
-  for (int i = 0; i < clumps.size(); ++i) {
-    engine_.kick(i, dt, mean_rib_force_[i], mean_rib_torque_[i]);
-    if (!near_rib_[i]) clumps.drift(i, dt);
-  }
+  engine_.kick_all(dt, &mean_rib_force_, &mean_rib_torque_);
+  engine_.drift_all(dt, &near_rib_);
   if (geogrid_) {
     // The number of sub-steps only grows, so that velocities stay centred between equal steps.
     substeps_ = std::max(substeps_, geogrid_->required_substeps(dt, rib_contacts_));
@@ -71,17 +70,17 @@ void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
       rib_contacts_.evaluate(clumps, geogrid_->ribs(), h, rib_force_, rib_torque_, rib_energy_));
 
   for (const int i : near) {
-    const dem::Vector3 v = clumps.drift_velocity[i], w = clumps.drift_spin[i];
+    const dem::Vector3 v = clumps.drift_velocity[i], w = clumps.spin[i];
     clumps.kick(i, h, rib_force_[i], rib_torque_[i]);
     clumps.drift(i, h);
     mean_velocity_[i] += clumps.drift_velocity[i];
-    mean_spin_[i] += clumps.drift_spin[i];
+    mean_spin_[i] += clumps.spin[i];
     mean_rib_force_[i] += rib_force_[i];
     mean_rib_torque_[i] += rib_torque_[i];
     // Work of a kick: force times the mean of the velocities of the drifts before and after it.
-    rib_work_on_stones_ += 0.5 * h *
-                           (rib_force_[i].dot(v + clumps.drift_velocity[i]) +
-                            rib_torque_[i].dot(w + clumps.drift_spin[i]));
+    rib_work_on_stones_ +=
+        0.5 * h *
+        (rib_force_[i].dot(v + clumps.drift_velocity[i]) + rib_torque_[i].dot(w + clumps.spin[i]));
   }
   geogrid_->dynamics().set_clamp_velocity(clamp_velocity);
   geogrid_->dynamics().step(h);
@@ -94,8 +93,10 @@ void StaggeredStep::begin_mean_motion()
 {
   mean_velocity_.resize(engine_.clumps().size());
   mean_spin_.resize(engine_.clumps().size());
-  std::fill(mean_rib_force_.begin(), mean_rib_force_.end(), dem::Vector3::Zero());
-  std::fill(mean_rib_torque_.begin(), mean_rib_torque_.end(), dem::Vector3::Zero());
+  for (dem::VectorField* mean : {&mean_rib_force_, &mean_rib_torque_}) {
+    mean->resize(0);
+    mean->resize(engine_.clumps().size());
+  }
   for (const int i : rib_contacts_.near_clumps()) {
     mean_velocity_[i].setZero();
     mean_spin_[i].setZero();
@@ -114,16 +115,7 @@ void StaggeredStep::end_mean_motion()
 
 void StaggeredStep::book(EnergyLedger& ledger, double dt) const
 {
-  ledger = EnergyLedger();
-  const dem::EngineEnergy stones = engine_.energy(dt);
-  ledger.kinetic_stones = stones.kinetic;
-  ledger.gravitational = stones.gravitational;
-  ledger.elastic_contacts = stones.contact.elastic;
-  ledger.friction = stones.contact.friction;
-  ledger.contact_damping = stones.contact.damping;
-  ledger.local_damping = stones.local_damping;
-  ledger.wall_work = stones.wall_work;
-  ledger.inserted = stones.inserted;
+  ledger = ledger_of(engine_.energy(dt));
   if (!geogrid_) return;
 
   ledger.elastic_contacts += rib_energy_.elastic;

@@ -46,14 +46,14 @@ private:
   Geogrid* geogrid_ = nullptr;
   dem::RibContacts rib_contacts_;
   dem::ContactEnergy rib_energy_;
-  double geogrid_inserted_ = 0;                      // energy of the lattice when it was placed [J]
-  double rib_work_on_stones_ = 0;                    // [J]
-  std::vector<dem::Vector3> rib_force_, rib_torque_; // on clumps, of the present sub-step
-  std::vector<dem::Vector3> mean_velocity_, mean_spin_; // sums over the sub-steps so far
+  double geogrid_inserted_ = 0;                // energy of the lattice when it was placed [J]
+  double rib_work_on_stones_ = 0;              // [J]
+  dem::VectorField rib_force_, rib_torque_;    // on clumps, of the present sub-step
+  dem::VectorField mean_velocity_, mean_spin_; // sums over the sub-steps so far
   // Forces and torques of ribs on clumps, means over the last step: local damping takes them for
   // those of the step to come [N], [N m].
-  std::vector<dem::Vector3> mean_rib_force_, mean_rib_torque_;
-  std::vector<bool> near_rib_;
+  dem::VectorField mean_rib_force_, mean_rib_torque_;
+  dem::ScalarField near_rib_; // 1: drifts in sub-steps
   int substeps_ = 1;
   dem::Vector3 clamp_force_ = dem::Vector3::Zero();
 };

@@ -30,10 +30,10 @@ std::uint64_t state_hash(const dem::Clumps& clumps, const fem::ExplicitDynamics*
   Fnv1a hash;
   for (int i = 0; i < clumps.size(); ++i) {
     hash.add_bytes(&clumps.id[i], sizeof(clumps.id[i]));
-    hash.add(clumps.position[i]);
+    hash.add(dem::Vector3(clumps.position[i]));
     hash.add(clumps.orientation[i].coeffs());
-    hash.add(clumps.velocity[i]);
-    hash.add(clumps.angular_momentum[i]);
+    hash.add(dem::Vector3(clumps.velocity[i]));
+    hash.add(dem::Vector3(clumps.angular_momentum[i]));
   }
   if (!lattice) return hash.value();
   for (int node = 0; node < lattice->lattice().n_nodes(); ++node) {

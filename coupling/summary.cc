@@ -17,14 +17,6 @@ nlohmann::ordered_json to_json(const StageSummary& stage)
           {"wall_time_s", stage.wall_time}};
 }
 
-// JSON numbers are doubles to many readers, which would lose digits of a hash.
-std::string hexadecimal(const std::uint64_t value)
-{
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << value;
-  return text.str();
-}
-
 // An empty member must be {} in the file, not null.
 nlohmann::ordered_json object(const nlohmann::ordered_json& value)
 {
@@ -32,12 +24,20 @@ nlohmann::ordered_json object(const nlohmann::ordered_json& value)
 }
 } // namespace
 
+std::string hexadecimal(const std::uint64_t hash)
+{
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << hash;
+  return text.str();
+}
+
 nlohmann::ordered_json to_json(const Summary& summary)
 {
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();
   for (const StageSummary& stage : summary.stages) stages.push_back(to_json(stage));
-  const double per_step =
+  const double mean =
       summary.steps > 0 ? summary.wall_time / static_cast<double>(summary.steps) : 0;
+  const double per_step = summary.wall_time_per_step > 0 ? summary.wall_time_per_step : mean;
   return {{"version", summary.version},
           {"experiment", summary.experiment},
           {"ranks", summary.ranks},

@@ -26,8 +26,9 @@ struct Summary {
   std::int64_t spheres = 0; // of all clumps together
   double time_step = 0;     // [s]
   std::int64_t steps = 0;
-  double simulated_time = 0; // [s]
-  double wall_time = 0;      // [s]
+  double simulated_time = 0;     // [s]
+  double wall_time = 0;          // [s]
+  double wall_time_per_step = 0; // of the steps that were timed; 0: wall_time over steps [s]
   std::vector<StageSummary> stages;
   std::int64_t contacts = 0;         // touching sphere pairs at the end
   nlohmann::ordered_json energy;     // every ledger entry [J], and relative_error [-]
@@ -37,8 +38,11 @@ struct Summary {
   std::uint64_t state_hash = 0;      // of all positions and velocities at the end
 };
 
-// Keys as listed in the members' order, with `_s` behind times, wall_time_per_step_s derived, and
-// state_hash as 16 hexadecimal digits. A number that is not finite becomes null.
+// A hash as 16 digits: JSON numbers are doubles to many readers, which would lose some.
+std::string hexadecimal(std::uint64_t hash);
+
+// Keys as listed in the members' order, with `_s` behind times, and
+// state_hash as hexadecimal(). A number that is not finite becomes null.
 nlohmann::ordered_json to_json(const Summary& summary);
 
 // Writes `file` under a temporary name first. Throws std::runtime_error when the disk is full.

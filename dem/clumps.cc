@@ -1,5 +1,7 @@
 #include "dem/clumps.h"
 
+#include "dem/rigid_motion.h"
+
 #include <cmath>
 
 namespace interlock::dem
@@ -21,24 +23,9 @@ template <class T> void compact(std::vector<T>& values, const std::vector<bool>&
   values.resize(kept);
 }
 
-// Quaternion of the rotation vector `angle` (world axes). The series are exact to rounding for the
-// small angles of one step, and several times faster than the library's functions.
-Quaternion rotation_step(const Vector3& angle)
+LaneQuaternion lane(const Quaternion& q)
 {
-  const double h2 = 0.25 * angle.squaredNorm(); // half the angle, squared
-  double cosine, sinc;
-  if (h2 < 1e-4) {
-    cosine = 1 - h2 / 2 * (1 - h2 / 12 * (1 - h2 / 30));
-    sinc = 1 - h2 / 6 * (1 - h2 / 20 * (1 - h2 / 42));
-  } else {
-    const double h = std::sqrt(h2);
-    cosine = std::cos(h);
-    sinc = std::sin(h) / h;
-  }
-  Quaternion q;
-  q.w() = cosine;
-  q.vec() = 0.5 * sinc * angle;
-  return q;
+  return {q.x(), q.y(), q.z(), q.w()};
 }
 } // namespace
 
@@ -50,7 +37,6 @@ Clumps::Clumps(std::vector<ClumpShape> shapes)
 int Clumps::add_shape(ClumpShape shape)
 {
   bounding_radius_.push_back(shape.bounding_radius());
-  member_reach_.push_back(largest_member_distance(shape));
   shapes_.push_back(std::move(shape));
   return static_cast<int>(shapes_.size()) - 1;
 }
@@ -59,13 +45,17 @@ int Clumps::add(int new_shape, double density, const Vector3& x, const Quaternio
 {
   shape.push_back(new_shape);
   id.push_back(next_id_++);
-  mass.push_back(density * shapes_[new_shape].volume);
-  inertia.push_back(density * shapes_[new_shape].unit_inertia);
+  const double m = density * shapes_[new_shape].volume;
+  const Vector3 moments = density * shapes_[new_shape].unit_inertia;
+  mass.push_back(m * one);
+  inverse_mass.push_back(1 / m * one);
+  inertia.push_back(moments);
+  inverse_inertia.push_back(moments.cwiseInverse());
+  member_reach_.push_back(largest_member_distance(shapes_[new_shape]) * one);
   position.push_back(x);
   orientation.push_back(q);
-  rotation.push_back(q.toRotationMatrix());
-  for (std::vector<Vector3>* zero : {&velocity, &angular_momentum, &spin, &drift_velocity,
-                                     &drift_spin, &step_velocity, &step_spin, &force, &torque})
+  for (VectorField* zero : {&velocity, &angular_momentum, &spin, &drift_velocity, &step_velocity,
+                            &step_spin, &force, &torque})
     zero->push_back(Vector3::Zero());
   return size() - 1;
 }
@@ -78,41 +68,74 @@ std::vector<int> Clumps::remove(const std::vector<bool>& remove)
     if (!remove[i]) new_index[i] = kept++;
   compact(shape, remove);
   compact(id, remove);
-  compact(mass, remove);
-  compact(orientation, remove);
-  compact(rotation, remove);
-  for (std::vector<Vector3>* field :
-       {&inertia, &position, &velocity, &angular_momentum, &spin, &drift_velocity, &drift_spin,
-        &step_velocity, &step_spin, &force, &torque})
-    compact(*field, remove);
+  orientation.compact(remove);
+  for (ScalarField* field : {&mass, &inverse_mass, &member_reach_}) field->compact(remove);
+  for (VectorField* field : {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum,
+                             &spin, &drift_velocity, &step_velocity, &step_spin, &force, &torque})
+    field->compact(remove);
   return new_index;
 }
 
 Vector3 Clumps::spin_of(int i, const Vector3& momentum) const
 {
-  return rotation[i] * (rotation[i].transpose() * momentum).cwiseQuotient(inertia[i]);
+  return vector(
+      spin_from_momentum(lane(orientation[i]), dem::lane(momentum), dem::lane(inverse_inertia[i])));
 }
 
 void Clumps::kick(int i, double dt, const Vector3& f, const Vector3& t)
 {
-  velocity[i] += (dt / mass[i]) * f;
+  velocity[i] += (dt * inverse_mass[i]) * f;
   angular_momentum[i] += dt * t;
-  spin[i] = spin_of(i, angular_momentum[i]);
 }
 
 void Clumps::drift(int i, double dt)
 {
   position[i] += dt * velocity[i];
-  // Spin half a step ahead, with the angular momentum constant in the world.
-  const Quaternion ahead = rotation_step(0.5 * dt * spin[i]) * orientation[i];
-  const Matrix3 r = ahead.toRotationMatrix();
-  spin[i] = r * (r.transpose() * angular_momentum[i]).cwiseQuotient(inertia[i]);
-  orientation[i] = rotation_step(dt * spin[i]) * orientation[i];
-  // One Newton step of 1/sqrt: the norm is 1 up to rounding already.
-  orientation[i].coeffs() *= 1.5 - 0.5 * orientation[i].squaredNorm();
-  rotation[i] = orientation[i].toRotationMatrix();
+  const AttitudeStep step = advance_attitude(lane(orientation[i]), dem::lane(angular_momentum[i]),
+                                             dem::lane(inverse_inertia[i]), dt);
+  const LaneQuaternion q = step.attitude;
+  orientation.set(i, Quaternion(q.w, q.x, q.y, q.z));
+  spin[i] = step_spin[i] = vector(step.spin);
   drift_velocity[i] = step_velocity[i] = velocity[i];
-  drift_spin[i] = step_spin[i] = spin[i];
+}
+
+void Clumps::drift_all(double dt, const ScalarField& held_clumps)
+{
+  const double* __restrict held = held_clumps.row(0);
+  const double *__restrict lx = angular_momentum.row(0), *__restrict ly = angular_momentum.row(1),
+                           *__restrict lz = angular_momentum.row(2);
+  const double *__restrict ix = inverse_inertia.row(0), *__restrict iy = inverse_inertia.row(1),
+                           *__restrict iz = inverse_inertia.row(2);
+  double *__restrict qx = orientation.row(0), *__restrict qy = orientation.row(1),
+                     *__restrict qz = orientation.row(2), *__restrict qw = orientation.row(3);
+  double* __restrict wx = spin.row(0), * __restrict wy = spin.row(1), * __restrict wz = spin.row(2);
+  double *__restrict sx = step_spin.row(0), *__restrict sy = step_spin.row(1),
+                     *__restrict sz = step_spin.row(2);
+  const int n = position.padded_size();
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    const AttitudeStep step = advance_attitude({qx[i], qy[i], qz[i], qw[i]}, {lx[i], ly[i], lz[i]},
+                                               {ix[i], iy[i], iz[i]}, dt);
+    const bool moves = held[i] == 0;
+    qx[i] = moves ? step.attitude.x : qx[i];
+    qy[i] = moves ? step.attitude.y : qy[i];
+    qz[i] = moves ? step.attitude.z : qz[i];
+    qw[i] = moves ? step.attitude.w : qw[i];
+    wx[i] = sx[i] = moves ? step.spin.x : wx[i];
+    wy[i] = sy[i] = moves ? step.spin.y : wy[i];
+    wz[i] = sz[i] = moves ? step.spin.z : wz[i];
+  }
+  for (int component = 0; component < 3; ++component) {
+    const double* __restrict v = velocity.row(component);
+    double* __restrict x = position.row(component);
+    double* __restrict drift = drift_velocity.row(component);
+    double* __restrict mean = step_velocity.row(component);
+#pragma GCC ivdep
+    for (int i = 0; i < n; ++i) {
+      x[i] += held[i] == 0 ? dt * v[i] : 0;
+      drift[i] = mean[i] = held[i] == 0 ? v[i] : drift[i];
+    }
+  }
 }
 
 std::int64_t Clumps::n_spheres() const

@@ -1,29 +1,62 @@
-// The linear contact law with Coulomb friction: a pure function of one contact.
+// Contact laws with Coulomb friction: pure functions of one contact, written for vector lanes
+// (contact_lanes.h) and used one by one for ribs and mesh walls.
 //
-// Normal: spring and dashpot, no tension (the contact ends at zero force). Tangential: spring with
-// history and dashpot, limited by the Coulomb cone; the spring turns with the contact. Springs of
-// two bodies act in series (Ferellec and McDowell 2010, Table 6, read with the usual k = k1 k2 /
-// (k1 + k2)).
+// Normal: spring and dashpot. Tangential: spring with history and dashpot, limited by the Coulomb
+// cone; the spring turns with the contact. Linear: springs of two bodies act in series (Ferellec
+// and McDowell 2010, Table 6, read with the usual k = k1 k2 / (k1 + k2)). Hertz-Mindlin: Hertz's
+// normal force, Mindlin's no-slip stiffness at the present overlap (Johnson, Contact Mechanics,
+// 1985, sections 4.2 and 7.2), dashpots of Antypov and Elliott, EPL 94 (2011) 50004.
 #pragma once
 
-#include "dem/vector.h"
+#include "dem/lane_vector.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace interlock::dem
 {
+enum class ContactModel { linear, hertz_mindlin };
+
 // Of one pair of materials.
 struct ContactProperties {
-  double normal_stiffness = 0;     // of the pair [N/m]
-  double tangential_stiffness = 0; // [N/m]
-  double friction = 0;             // Coulomb coefficient [-]
-  double damping_ratio = 0;        // c / (2 sqrt(k m)), normal and tangential [-]
+  ContactModel model = ContactModel::linear;
+  // Of the linear model, of the pair [N/m].
+  double normal_stiffness = 0;
+  double tangential_stiffness = 0;
+  // Of the Hertz-Mindlin model [Pa]: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2, 1/G* = (2-nu1)/G1 +
+  // (2-nu2)/G2.
+  double effective_modulus = 0;
+  double effective_shear_modulus = 0;
+  double friction = 0; // Coulomb coefficient [-]
+  // Dashpots, normal and tangential: c / (2 sqrt(k m)) for the linear model; for Hertz-Mindlin the
+  // ratio that gives the same restitution (damping_ratio_for_restitution) [-].
+  double damping_ratio = 0;
+  // Besides: dashpots of this rate times the reduced mass [1/s].
+  double normal_damping_rate = 0;
+  double tangential_damping_rate = 0;
   // Convention for the end of an impact: at zero force (no tension, the default), or at zero
   // overlap, with tension in between. The same damping ratio gives different restitution (Schwager
   // and Poeschel, Granular Matter 9 (2007) 465-469).
   bool tension = false;
+  // Contacts of the same two clumps (or of a clump and a wall) share one stiffness and one dashpot
+  // instead of bringing one each (docs/theory/engine.md).
+  bool share_among_contacts = false;
 };
+
+struct Elastic {
+  double youngs_modulus = 0; // [Pa]
+  double poisson_ratio = 0;  // [-]
+};
+// Hertz-Mindlin properties of two elastic bodies.
+ContactProperties hertz_mindlin_pair(const Elastic& a, const Elastic& b, double friction,
+                                     double damping_ratio);
+
+// -ln e / sqrt(pi^2 + ln^2 e): exact for impacts with tension, of either model. 0 < e <= 1.
+double damping_ratio_for_restitution(double restitution);
+
+// Energy in the springs of one contact [J]: normal `overlap` > 0 [m], tangential `spring` [m].
+double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
+                     double spring, double share);
 
 // Springs in series [N/m].
 inline double series_stiffness(double k1, double k2)
@@ -31,12 +64,189 @@ inline double series_stiffness(double k1, double k2)
   return k1 * k2 / (k1 + k2);
 }
 
-// Running sums over contacts and steps. `elastic` is the energy stored now; the others are
-// dissipated since the beginning. [J]
+// Running sums over contacts and steps [J]. `elastic` is the energy stored now; the others have
+// gone since the beginning.
 struct ContactEnergy {
   double elastic = 0;
-  double friction = 0;
+  double friction = 0; // slip, and what tangential springs lose when they become softer
   double damping = 0;
+  double sharing = 0; // taken out by changes of the share of a contact; may be negative
+};
+
+// What one contact is made of; constant while it is on a list.
+struct ContactConstants {
+  double reduced_mass = 0;   // scales the dashpots [kg]
+  double root_mass = 0;      // its square root
+  double reduced_radius = 0; // r1 r2/(r1 + r2), of Hertz's law; the sphere's own at a plane [m]
+};
+
+// What a contact remembers, world frame, of body 1 against body 2. Zero while the contact is open.
+struct LaneHistory {
+  Lane3 spring{0, 0, 0};           // tangential displacement since it formed, less what slipped [m]
+  Lane3 dashpot{0, 0, 0};          // dissipative part of the last force [N]
+  double overlap = 0;              // [m]
+  double tangential_stiffness = 0; // of the last step [N/m]
+  double share = 0;                // of the last step [-]
+};
+
+// The law of a pair with everything that is the same for all its contacts worked out.
+struct LinearLaw {
+  explicit LinearLaw(const ContactProperties& p)
+      : k_n(p.normal_stiffness), k_t(p.tangential_stiffness),
+        root_n(2 * p.damping_ratio * std::sqrt(k_n)), root_t(2 * p.damping_ratio * std::sqrt(k_t)),
+        rate_n(p.normal_damping_rate), rate_t(p.tangential_damping_rate), friction(p.friction),
+        lowest_force(p.tension ? -1e300 : 0)
+  {
+  }
+  double k_n, k_t, root_n, root_t, rate_n, rate_t, friction, lowest_force;
+  // Stored energy = this times force times overlap.
+  static constexpr double energy_factor = 0.5;
+  static constexpr bool stiffness_changes = false;
+
+  // Elastic force, tangential stiffness, dashpot constants at this overlap.
+  INTERLOCK_LANE void at(double overlap, const ContactConstants& c, double& f_n, double& kt,
+                         double& c_n, double& c_t) const
+  {
+    f_n = k_n * overlap;
+    kt = k_t;
+    c_n = root_n * c.root_mass + rate_n * c.reduced_mass;
+    c_t = root_t * c.root_mass + rate_t * c.reduced_mass;
+  }
+};
+
+struct HertzMindlinLaw {
+  explicit HertzMindlinLaw(const ContactProperties& p)
+      : modulus(p.effective_modulus), shear(p.effective_shear_modulus), ratio(p.damping_ratio),
+        rate_n(p.normal_damping_rate), rate_t(p.tangential_damping_rate), friction(p.friction),
+        lowest_force(p.tension ? -1e300 : 0)
+  {
+  }
+  double modulus, shear, ratio, rate_n, rate_t, friction, lowest_force;
+  static constexpr double energy_factor = 0.4;
+  static constexpr bool stiffness_changes = true;
+
+  INTERLOCK_LANE void at(double overlap, const ContactConstants& c, double& f_n, double& kt,
+                         double& c_n, double& c_t) const
+  {
+    const double root = std::sqrt(c.reduced_radius * overlap); // radius of the contact's circle
+    f_n = 4. / 3 * modulus * root * overlap;
+    kt = 8 * shear * root;
+    // 2 sqrt(5/6) beta sqrt(S m), S: tangent stiffness.
+    const double damping = 2 * 0.91287092917527686 * ratio * c.root_mass;
+    c_n = damping * std::sqrt(2 * modulus * root) + rate_n * c.reduced_mass;
+    c_t = damping * std::sqrt(kt) + rate_t * c.reduced_mass;
+  }
+};
+
+struct LaneEnergy {
+  double elastic = 0, friction = 0, damping = 0, sharing = 0;
+};
+
+// Force on body 1, world frame [N]; exact zero, and the history cleared, when `overlap` is not
+// positive. `normal` points from body 2 to body 1; `relative_velocity` is that of body 1 against
+// body 2 at the contact point, in the middle of the step that led here [m/s]; `overlap`: negative
+// is a gap [m]; `twist`: mean spin of the two bodies along the normal times the step [rad];
+// `share`: of stiffness and dashpots, 1 for a contact on its own. Advances the history over `dt`
+// [s]; adds to `energy`.
+//
+// The tangential spring first turns with the contact: out of its old plane into the plane normal to
+// `normal`, keeping its length, and about the normal by `twist`. Where the stiffness changes, a
+// growing one keeps the force and a falling one keeps the spring; either loses energy, none gains
+// (the incremental no-slip law unloaded as Thornton, Cummins and Cleary, Powder Technology 233
+// (2013) 30-46, demand).
+//
+// Energy: a leapfrog kick does the work of the mean of the forces at both ends of a step. So
+// dashpots dissipate the mean of their old and new force times the relative motion, friction the
+// mean spring force times the slip, and neither has an error of first order in the step. A contact
+// that has opened fades its last dashpot force over the part of the step in which it still touched,
+// and what its spring still holds is lost to friction.
+template <bool shared, class Law>
+INTERLOCK_LANE Lane3 contact_force(const Law& law, const ContactConstants& c, double overlap,
+                                   Lane3 normal, Lane3 relative_velocity, double twist,
+                                   double share, double dt, LaneHistory& history,
+                                   LaneEnergy& energy)
+{
+  const bool touching = overlap > 0;
+  const double depth = touching ? overlap : 0;
+  double elastic_n, k_t, c_n, c_t;
+  law.at(depth, c, elastic_n, k_t, c_n, c_t);
+  if constexpr (shared) {
+    elastic_n *= share;
+    k_t *= share;
+    c_n *= share;
+    c_t *= share;
+  }
+
+  // Turn the spring. One division serves its length and the time of opening.
+  const double gap = touching ? 0 : -overlap;
+  const double old_square = dot(history.spring, history.spring);
+  Lane3 spring = history.spring - dot(normal, history.spring) * normal;
+  spring = spring + twist * cross(normal, spring);
+  const double new_square = dot(spring, spring);
+  const double opening = history.overlap + gap;
+  const double d1 = new_square > 0 ? new_square : 1, d2 = opening > 0 ? opening : 1;
+  const double inverse = 1 / (d1 * d2);
+  // sqrt(1 + x) of a small x; whoever turns a contact by a right angle in one step has other
+  // worries.
+  double x = old_square * (d2 * inverse) - 1;
+  x = x < 1 ? x : 1;
+  const double stretch = 1 + x * (0.5 + x * (-0.125 + x * 0.0625));
+  spring = (new_square > 0 ? stretch : 1) * spring;
+
+  double lost = 0;
+  if constexpr (shared || Law::stiffness_changes) {
+    const double before = history.tangential_stiffness;
+    const double keep = before < k_t ? before / k_t : 1;
+    lost = 0.5 * old_square * (before - k_t * keep * keep);
+    spring = keep * spring;
+  }
+
+  const double v_n = dot(relative_velocity, normal);
+  const double viscous_n = elastic_n - c_n * v_n;
+  const double f_n = viscous_n > law.lowest_force ? viscous_n : law.lowest_force;
+  const Lane3 v_t = relative_velocity - v_n * normal;
+  const Lane3 trial = spring + dt * v_t;
+  const Lane3 wanted = -k_t * trial - c_t * v_t;
+  const double limit = law.friction * (f_n > 0 ? f_n : 0);
+  const double square = dot(wanted, wanted);
+  const bool slides = square > limit * limit;
+  // Sliding: the whole force is friction, and the spring is what holds it.
+  const double scale = slides ? limit / std::sqrt(square > 0 ? square : 1) : 1;
+  const Lane3 f_t = scale * wanted;
+  const double soft = k_t > 0 ? -1 / k_t : 0;
+  const Lane3 held = slides ? soft * f_t : trial;
+  const double c_left = slides ? 0 : c_t;
+  const Lane3 dashpot = (elastic_n - f_n) * normal + c_left * v_t;
+  const Lane3 slip = trial - held, mean2 = spring + held;
+  const double slipped = 0.5 * k_t * dot(mean2, slip);
+
+  // Over the share of the step in which the contact touched.
+  const double part = touching ? 1 : history.overlap * (d1 * inverse);
+  const Lane3 last = touching ? history.dashpot + dashpot : history.dashpot;
+  energy.damping += 0.5 * part * dt * dot(last, relative_velocity);
+  energy.friction += touching ? slipped + lost : 0.5 * history.tangential_stiffness * old_square;
+  const double stored = Law::energy_factor * elastic_n * depth + 0.5 * k_t * dot(held, held);
+  energy.elastic += touching ? stored : 0;
+  if constexpr (shared) {
+    // Of the normal spring, see docs/theory/engine.md: U(new) - U(old) is not the work alone.
+    const double change = share > 0 ? (1 - history.share / share) : 0;
+    energy.sharing -= touching ? change * Law::energy_factor * elastic_n * history.overlap : 0;
+  }
+
+  history.spring = {touching ? held.x : 0, touching ? held.y : 0, touching ? held.z : 0};
+  history.dashpot = {touching ? dashpot.x : 0, touching ? dashpot.y : 0, touching ? dashpot.z : 0};
+  history.overlap = depth;
+  history.tangential_stiffness = touching ? k_t : 0;
+  history.share = touching ? share : 0;
+  const Lane3 force = f_n * normal + f_t;
+  return {touching ? force.x : 0, touching ? force.y : 0, touching ? force.z : 0};
+}
+
+// One contact at a time, for ribs and mesh walls: the same law with Eigen's vectors.
+struct ContactHistory {
+  Vector3 spring = Vector3::Zero();  // see LaneHistory [m]
+  double overlap = 0;                // [m]
+  Vector3 dashpot = Vector3::Zero(); // [N]
 };
 
 // Turns the tangential spring with the contact: out of its old plane into the plane normal to
@@ -52,67 +262,27 @@ inline void rotate_spring(Vector3& spring, const Vector3& normal, double twist)
   if (length_squared > 0) spring *= std::sqrt(old_length_squared / length_squared);
 }
 
-// What a contact remembers, world frame, of body 1 against body 2. Zero while the contact is open.
-struct ContactHistory {
-  Vector3 spring =
-      Vector3::Zero(); // tangential displacement since it formed, less what slipped [m]
-  double overlap = 0;  // [m]
-  Vector3 dashpot = Vector3::Zero(); // dissipative part of the last force [N]
-};
-
-// Force on body 1, world frame [N]. `normal` points from body 2 to body 1; `relative_velocity` is
-// that of body 1 against body 2 at the contact point, in the middle of the step that led here
-// [m/s]; `overlap` > 0 [m]; `reduced_mass` scales the dashpots [kg]. history.spring must have been
-// turned by rotate_spring(); the history is advanced over `time_step` [s].
-//
-// Energy: a leapfrog kick does the work of the mean of the forces at both ends of a step. So
-// dashpots dissipate the mean of their old and new force times the relative motion, friction the
-// mean spring force times the slip, and neither has an error of first order in the step.
-// Always inlined: the call costs as much as the law.
-[[gnu::always_inline]] inline Vector3
-linear_contact_force(const ContactProperties& pair, double reduced_mass, double overlap,
-                     const Vector3& normal, const Vector3& relative_velocity, double time_step,
-                     ContactHistory& history, ContactEnergy& energy)
+// contact_force() of the linear model for an `overlap` > 0; history.spring must have been turned by
+// rotate_spring().
+INTERLOCK_LANE Vector3 linear_contact_force(const ContactProperties& pair, double reduced_mass,
+                                            double overlap, const Vector3& normal,
+                                            const Vector3& relative_velocity, double time_step,
+                                            ContactHistory& history, ContactEnergy& energy)
 {
-  const double k_n = pair.normal_stiffness, k_t = pair.tangential_stiffness;
-  const double c_n = 2 * pair.damping_ratio * std::sqrt(k_n * reduced_mass);
-  const double c_t = 2 * pair.damping_ratio * std::sqrt(k_t * reduced_mass);
-
-  const double v_n = relative_velocity.dot(normal);
-  const double elastic_n = k_n * overlap;
-  const double viscous_n = elastic_n - c_n * v_n;
-  const double f_n = pair.tension ? viscous_n : std::max(0., viscous_n);
-  Vector3 dashpot = (elastic_n - f_n) * normal;
-  Vector3 force = f_n * normal;
-
-  if (pair.friction > 0) {
-    const Vector3 v_t = relative_velocity - v_n * normal;
-    Vector3 dashpot_t = c_t * v_t;
-    const Vector3 trial = history.spring + time_step * v_t;
-    Vector3 spring = trial;
-    Vector3 f_t = -k_t * trial - dashpot_t;
-    const double limit = pair.friction * std::max(0., f_n), f_t_squared = f_t.squaredNorm();
-    if (f_t_squared > limit * limit) {
-      // Sliding: the whole force is friction, and the spring is what holds it.
-      f_t *= limit / std::sqrt(f_t_squared);
-      dashpot_t.setZero();
-      spring = -f_t / k_t;
-      energy.friction += 0.5 * k_t * (history.spring + spring).dot(trial - spring);
-    }
-    history.spring = spring;
-    dashpot += dashpot_t;
-    force += f_t;
-  }
-
-  energy.damping += 0.5 * time_step * (history.dashpot + dashpot).dot(relative_velocity);
-  energy.elastic += 0.5 * elastic_n * overlap + 0.5 * k_t * history.spring.squaredNorm();
-  history.dashpot = dashpot;
-  history.overlap = overlap;
-  return force;
+  LaneHistory h{lane(history.spring), lane(history.dashpot), history.overlap,
+                pair.tangential_stiffness, 1};
+  LaneEnergy e;
+  const Lane3 force =
+      contact_force<false>(LinearLaw(pair), {reduced_mass, std::sqrt(reduced_mass), 0}, overlap,
+                           lane(normal), lane(relative_velocity), 0, 1, time_step, h, e);
+  history = {vector(h.spring), h.overlap, vector(h.dashpot)};
+  energy.elastic += e.elastic;
+  energy.friction += e.friction;
+  energy.damping += e.damping;
+  return vector(force);
 }
 
-// Ends a contact that has opened by `gap` [m]: its last dashpot force fades over the part of the
-// step in which it still touched, and the little that the spring still holds is lost to friction.
+// Ends a contact that has opened by `gap` [m].
 inline void end_contact(const ContactProperties& pair, double gap, const Vector3& relative_velocity,
                         double time_step, ContactHistory& history, ContactEnergy& energy)
 {

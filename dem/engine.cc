@@ -1,56 +1,22 @@
 #include "dem/engine.h"
 
+#include <chrono>
+
 namespace interlock::dem
 {
 namespace
 {
-struct Overlap {
-  double depth;   // > 0 when touching [m]
-  Vector3 normal; // from the second body to the first
-  Vector3 point;  // mid-overlap, world [m]
-};
+using Clock = std::chrono::steady_clock;
 
-inline Overlap sphere_overlap(const Vector3& xa, double ra, const Vector3& xb, double rb)
+double seconds(Clock::time_point from, Clock::time_point to)
 {
-  const Vector3 d = xa - xb;
-  const double distance = d.norm();
-  const double depth = ra + rb - distance;
-  const Vector3 normal = d / distance;
-  return {depth, normal, xb + (rb - 0.5 * depth) * normal};
-}
-
-Overlap wall_overlap(const Vector3& x, double r, const Wall& wall)
-{
-  const Vector3 nearest = wall.nearest_point(x);
-  const Vector3 d = x - nearest;
-  const double distance = d.norm();
-  const double depth = r - distance;
-  return {depth, d / distance, nearest - 0.5 * depth * d / distance};
-}
-
-double largest_stiffness(const ContactProperties& pair)
-{
-  return std::max(pair.normal_stiffness, pair.tangential_stiffness);
-}
-
-// The most that a unit impulse at `arm` from the centre of mass can move the body's own material
-// there, over all directions: 1/m + the largest eigenvalue of [r]x I^-1 [r]x^T; principal axes
-// [1/kg].
-double largest_mobility(const Vector3& arm, double mass, const Vector3& inertia)
-{
-  Matrix3 cross;
-  cross << 0, -arm[2], arm[1], arm[2], 0, -arm[0], -arm[1], arm[0], 0;
-  const Matrix3 turning = cross * inertia.cwiseInverse().asDiagonal() * cross.transpose();
-  Eigen::SelfAdjointEigenSolver<Matrix3> solver;
-  solver.computeDirect(turning, Eigen::EigenvaluesOnly);
-  return 1 / mass + solver.eigenvalues()[2];
+  return std::chrono::duration<double>(to - from).count();
 }
 } // namespace
 
 Engine::Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on_stone,
                double gravity)
-    : clumps_(std::move(shapes)), stone_on_stone_(stone_on_stone), gravity_(gravity),
-      gravity_vector_(0, 0, gravity)
+    : clumps_(std::move(shapes)), stone_on_stone_(stone_on_stone), gravity_(gravity)
 {
 }
 
@@ -68,10 +34,10 @@ std::vector<int> Engine::remove_clumps(const std::vector<bool>& remove)
 {
   for (int i = 0; i < clumps_.size(); ++i)
     if (remove[i]) inserted_ -= body_energy(i);
-  for (const SphereContact& c : lists_.sphere_contacts())
-    if (remove[c.i] || remove[c.j]) inserted_ -= contact_elastic_energy(c);
-  for (const WallContact& c : lists_.wall_contacts())
-    if (remove[c.i]) inserted_ -= contact_elastic_energy(c);
+  for (const SphereContact& c : sphere_contacts())
+    if (remove[c.i] || remove[c.j]) inserted_ -= elastic_energy(c);
+  for (const WallContact& c : wall_contacts())
+    if (remove[c.i]) inserted_ -= elastic_energy(c);
   const std::vector<int> new_index = clumps_.remove(remove);
   lists_.renumber_clumps(new_index);
   return new_index;
@@ -86,8 +52,8 @@ int Engine::add_wall(const Wall& wall)
 
 void Engine::replace_walls(int first, const std::vector<Wall>& walls)
 {
-  for (const WallContact& c : lists_.wall_contacts())
-    if (c.wall >= first) inserted_ -= contact_elastic_energy(c);
+  for (const WallContact& c : wall_contacts())
+    if (c.wall >= first) inserted_ -= elastic_energy(c);
   lists_.forget_walls(first);
   walls_.resize(first);
   for (const Wall& wall : walls) walls_.push_back(wall);
@@ -97,114 +63,88 @@ void Engine::replace_walls(int first, const std::vector<Wall>& walls)
       const std::vector<Sphere>& spheres = clumps_.shape_of(i).spheres;
       for (std::size_t a = 0; a < spheres.size(); ++a) {
         const Vector3 x = clumps_.position[i] + clumps_.member_offset(i, a);
-        const double depth = wall_overlap(x, spheres[a].radius, wall).depth;
-        if (depth > 0) inserted_ += 0.5 * wall.contact.normal_stiffness * depth * depth;
+        const double depth = spheres[a].radius - (x - wall.nearest_point(x)).norm();
+        if (depth > 0) inserted_ += stored_energy(wall.contact, depth, spheres[a].radius, 0, 1);
       }
     }
 }
 
 void Engine::compute_forces(double dt)
 {
+  const auto start = Clock::now();
   lists_.update(clumps_, walls_, dt);
-  const int n = clumps_.size();
-  for (int i = 0; i < n; ++i) {
-    clumps_.force[i].setZero();
-    clumps_.torque[i].setZero();
-  }
-  for (Wall& wall : walls_) wall.force.setZero();
+  const auto listed = Clock::now();
+  for (VectorField* field : {&clumps_.force, &clumps_.torque})
+    for (int c = 0; c < 3; ++c) std::fill(field->row(c), field->row(c) + field->padded_size(), 0.);
+
   contact_energy_.elastic = 0;
-  n_touching_ = 0;
-  largest_overlap_ = 0;
-
-  for (SphereContact& c : lists_.sphere_contacts()) touch(c, dt);
-  for (WallContact& c : lists_.wall_contacts()) touch(c, dt);
-  for (const Wall& wall : walls_) wall_work_ -= dt * wall.force.dot(wall.velocity);
-}
-
-void Engine::touch(SphereContact& c, double dt)
-{
-  const Sphere &sa = clumps_.shape_of(c.i).spheres[c.a], &sb = clumps_.shape_of(c.j).spheres[c.b];
-  const Vector3 xa = clumps_.position[c.i] + clumps_.rotation[c.i] * sa.centre;
-  const Vector3 xb = clumps_.position[c.j] + clumps_.rotation[c.j] * sb.centre;
-  const double reach = sa.radius + sb.radius;
-  const bool was_touching = c.touching;
-  c.touching = (xa - xb).squaredNorm() < reach * reach;
-  if (!c.touching && !was_touching) return;
-
-  const Overlap o = sphere_overlap(xa, sa.radius, xb, sb.radius);
-  const Vector3 ri = o.point - clumps_.position[c.i], rj = o.point - clumps_.position[c.j];
-  const Vector3 relative = clumps_.step_velocity[c.i] + clumps_.step_spin[c.i].cross(ri) -
-                           clumps_.step_velocity[c.j] - clumps_.step_spin[c.j].cross(rj);
-  if (!c.touching) {
-    end_contact(stone_on_stone_, -o.depth, relative, dt, c.history, contact_energy_);
-    c.force.setZero();
-    return;
+  ContactLanes& pairs = lists_.pair_lanes();
+  evaluate_pairs(clumps_, stone_on_stone_, dt, pairs);
+  n_touching_ = add_pair_forces(pairs, clumps_, contact_energy_);
+  if (stone_on_stone_.share_among_contacts) update_shares(0, pairs.size(), pairs);
+  ContactLanes& at_walls = lists_.wall_lanes();
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    Wall& wall = walls_[w];
+    const WallSegment segment = lists_.wall_segments()[w];
+    evaluate_wall(clumps_, wall, dt, segment, at_walls);
+    add_wall_forces(at_walls, segment, clumps_, wall, contact_energy_);
+    if (wall.contact.share_among_contacts) update_shares(segment.begin, segment.end, at_walls);
+    wall_work_ -= dt * wall.force.dot(wall.velocity);
   }
-  const double reduced_mass =
-      clumps_.mass[c.i] * clumps_.mass[c.j] / (clumps_.mass[c.i] + clumps_.mass[c.j]);
-  rotate_spring(c.history.spring, o.normal,
-                0.5 * dt * (clumps_.step_spin[c.i] + clumps_.step_spin[c.j]).dot(o.normal));
-  c.force = linear_contact_force(stone_on_stone_, reduced_mass, o.depth, o.normal, relative, dt,
-                                 c.history, contact_energy_);
-  c.point = o.point;
-  clumps_.force[c.i] += c.force;
-  clumps_.force[c.j] -= c.force;
-  clumps_.torque[c.i] += ri.cross(c.force);
-  clumps_.torque[c.j] -= rj.cross(c.force);
-  ++n_touching_;
-  largest_overlap_ = std::max(largest_overlap_, o.depth);
+  profile_.lists += seconds(start, listed);
+  profile_.contacts += seconds(listed, Clock::now());
 }
 
-void Engine::touch(WallContact& c, double dt)
+void Engine::kick_all(double dt, const VectorField* other_force, const VectorField* other_torque)
 {
-  Wall& wall = walls_[c.wall];
-  const Sphere& sphere = clumps_.shape_of(c.i).spheres[c.a];
-  const Overlap o = wall_overlap(clumps_.position[c.i] + clumps_.rotation[c.i] * sphere.centre,
-                                 sphere.radius, wall);
-  const bool was_touching = c.touching;
-  c.touching = o.depth > 0;
-  if (!c.touching && !was_touching) return;
-
-  const Vector3 ri = o.point - clumps_.position[c.i];
-  const Vector3 relative =
-      clumps_.step_velocity[c.i] + clumps_.step_spin[c.i].cross(ri) - wall.velocity;
-  if (!c.touching) {
-    end_contact(wall.contact, -o.depth, relative, dt, c.history, contact_energy_);
-    c.force.setZero();
-    return;
+  const auto start = Clock::now();
+  if (local_damping_ > 0) damp_locally(dt, other_force, other_torque);
+  const int n = clumps_.position.padded_size();
+  const double* __restrict inverse_mass = clumps_.inverse_mass.row(0);
+  for (int c = 0; c < 3; ++c) {
+    double* __restrict v = clumps_.velocity.row(c), * __restrict l =
+                                                        clumps_.angular_momentum.row(c);
+    const double* __restrict f = clumps_.force.row(c), * __restrict t = clumps_.torque.row(c);
+    const double fall = c == 2 ? dt * gravity_ : 0;
+#pragma omp simd
+    for (int i = 0; i < n; ++i) {
+      v[i] += dt * inverse_mass[i] * f[i] - fall;
+      l[i] += dt * t[i];
+    }
   }
-  rotate_spring(c.history.spring, o.normal, 0.5 * dt * clumps_.step_spin[c.i].dot(o.normal));
-  c.force = linear_contact_force(wall.contact, clumps_.mass[c.i], o.depth, o.normal, relative, dt,
-                                 c.history, contact_energy_);
-  c.point = o.point;
-  clumps_.force[c.i] += c.force;
-  clumps_.torque[c.i] += ri.cross(c.force);
-  wall.force -= c.force;
-  largest_overlap_ = std::max(largest_overlap_, o.depth);
+  profile_.integration += seconds(start, Clock::now());
 }
 
-void Engine::kick(int i, double dt, const Vector3& other_force, const Vector3& other_torque)
+// Takes the damping off the forces and torques before they are kicked in. Signs and work are those
+// of the velocity before the kick.
+void Engine::damp_locally(double dt, const VectorField* other_force,
+                          const VectorField* other_torque)
 {
-  Vector3 force = clumps_.force[i] - clumps_.mass[i] * gravity_vector_;
-  Vector3 torque = clumps_.torque[i];
-  if (local_damping_ > 0 && clumps_.force[i] + other_force != Vector3::Zero()) {
-    // Signs and work are those of the velocity before the kick.
-    const Vector3 damping_force =
-        local_damping_ *
-        (force + other_force).cwiseAbs().cwiseProduct(clumps_.velocity[i].cwiseSign());
-    const Vector3 damping_torque =
-        local_damping_ *
-        (torque + other_torque).cwiseAbs().cwiseProduct(clumps_.spin[i].cwiseSign());
-    force -= damping_force;
-    torque -= damping_torque;
+  const Vector3 zero = Vector3::Zero();
+  for (int i = 0; i < clumps_.size(); ++i) {
+    const Vector3 f = clumps_.force[i] + (other_force ? Vector3((*other_force)[i]) : zero);
+    if (f == zero) continue;
+    const Vector3 t = clumps_.torque[i] + (other_torque ? Vector3((*other_torque)[i]) : zero);
+    const Vector3 weight(0, 0, clumps_.mass[i] * gravity_);
     const Vector3 v = clumps_.velocity[i], w = clumps_.spin[i];
-    clumps_.kick(i, dt, force, torque);
-    local_damping_loss_ +=
-        0.5 * dt *
-        (damping_force.dot(v + clumps_.velocity[i]) + damping_torque.dot(w + clumps_.spin[i]));
-    return;
+    const Vector3 force = local_damping_ * (f - weight).cwiseAbs().cwiseProduct(v.cwiseSign());
+    const Vector3 torque = local_damping_ * t.cwiseAbs().cwiseProduct(w.cwiseSign());
+    clumps_.force[i] -= force;
+    clumps_.torque[i] -= torque;
+    const Vector3 mean_v =
+        v + 0.5 * dt * (clumps_.inverse_mass[i] * clumps_.force[i] - gravity_ * Vector3::UnitZ());
+    const Vector3 mean_w =
+        clumps_.spin_of(i, clumps_.angular_momentum[i] + 0.5 * dt * clumps_.torque[i]);
+    local_damping_loss_ += dt * (force.dot(mean_v) + torque.dot(mean_w));
   }
-  clumps_.kick(i, dt, force, torque);
+}
+
+void Engine::drift_all(double dt, const ScalarField* held)
+{
+  const auto start = Clock::now();
+  nothing_held_.resize(clumps_.size());
+  clumps_.drift_all(dt, held ? *held : nothing_held_);
+  profile_.integration += seconds(start, Clock::now());
 }
 
 void Engine::move_walls(double dt)
@@ -215,41 +155,37 @@ void Engine::move_walls(double dt)
 void Engine::step(double dt)
 {
   compute_forces(dt);
-  for (int i = 0; i < clumps_.size(); ++i) {
-    kick(i, dt);
-    clumps_.drift(i, dt);
-  }
+  kick_all(dt);
+  drift_all(dt);
   move_walls(dt);
+}
+
+StepProfile Engine::profile() const
+{
+  StepProfile profile = profile_;
+  profile.counts = lists_.counts();
+  profile.broad_phase = lists_.broad_phase_time() - broad_phase_before_;
+  profile.lists -= profile.broad_phase;
+  return profile;
+}
+
+void Engine::reset_profile()
+{
+  profile_ = StepProfile();
+  broad_phase_before_ = lists_.broad_phase_time();
+}
+
+double Engine::largest_overlap() const
+{
+  return std::max(dem::largest_overlap(lists_.pair_lanes()),
+                  dem::largest_overlap(lists_.wall_lanes()));
 }
 
 double Engine::body_energy(int i) const
 {
+  const Vector3 l = clumps_.angular_momentum[i];
   return 0.5 * clumps_.mass[i] * clumps_.velocity[i].squaredNorm() +
-         0.5 * clumps_.angular_momentum[i].dot(clumps_.spin[i]) +
-         clumps_.mass[i] * gravity_ * clumps_.position[i].z();
-}
-
-double Engine::contact_elastic_energy(const SphereContact& c) const
-{
-  const Sphere &sa = clumps_.shape_of(c.i).spheres[c.a], &sb = clumps_.shape_of(c.j).spheres[c.b];
-  const double depth =
-      sphere_overlap(clumps_.position[c.i] + clumps_.member_offset(c.i, c.a), sa.radius,
-                     clumps_.position[c.j] + clumps_.member_offset(c.j, c.b), sb.radius)
-          .depth;
-  if (depth <= 0) return 0;
-  return 0.5 * stone_on_stone_.normal_stiffness * depth * depth +
-         0.5 * stone_on_stone_.tangential_stiffness * c.history.spring.squaredNorm();
-}
-
-double Engine::contact_elastic_energy(const WallContact& c) const
-{
-  const Wall& wall = walls_[c.wall];
-  const double depth = wall_overlap(clumps_.position[c.i] + clumps_.member_offset(c.i, c.a),
-                                    clumps_.shape_of(c.i).spheres[c.a].radius, wall)
-                           .depth;
-  if (depth <= 0) return 0;
-  return 0.5 * wall.contact.normal_stiffness * depth * depth +
-         0.5 * wall.contact.tangential_stiffness * c.history.spring.squaredNorm();
+         0.5 * l.dot(clumps_.spin_of(i, l)) + clumps_.mass[i] * gravity_ * clumps_.position[i].z();
 }
 
 EngineEnergy Engine::energy(double dt) const
@@ -257,8 +193,8 @@ EngineEnergy Engine::energy(double dt) const
   EngineEnergy e;
   for (int i = 0; i < clumps_.size(); ++i) {
     // Velocities half a step on, so that they belong to the present positions.
-    const Vector3 v =
-        clumps_.velocity[i] + 0.5 * dt * (clumps_.force[i] / clumps_.mass[i] - gravity_vector_);
+    const Vector3 v = clumps_.velocity[i] +
+                      0.5 * dt * (clumps_.force[i] / clumps_.mass[i] - gravity_ * Vector3::UnitZ());
     const Vector3 l = clumps_.angular_momentum[i] + 0.5 * dt * clumps_.torque[i];
     e.kinetic += 0.5 * clumps_.mass[i] * v.squaredNorm() + 0.5 * l.dot(clumps_.spin_of(i, l));
     e.gravitational += clumps_.mass[i] * gravity_ * clumps_.position[i].z();
@@ -277,77 +213,5 @@ double Engine::kinetic_energy() const
     kinetic += 0.5 * clumps_.mass[i] * clumps_.velocity[i].squaredNorm() +
                0.5 * clumps_.angular_momentum[i].dot(clumps_.spin[i]);
   return kinetic;
-}
-
-StableStep Engine::stable_step(const RibContacts* ribs) const
-{
-  std::vector<double> rate(clumps_.size(), 0.); // bound of omega^2 [1/s2]
-  std::vector<int> contacts(clumps_.size(), 0);
-  auto add = [&](int i, const Vector3& point, const ContactProperties& pair) {
-    const Vector3 arm = clumps_.rotation[i].transpose() * (point - clumps_.position[i]);
-    rate[i] += largest_stiffness(pair) * largest_mobility(arm, clumps_.mass[i], clumps_.inertia[i]);
-    ++contacts[i];
-  };
-  for (const SphereContact& c : lists_.sphere_contacts())
-    if (c.touching) {
-      add(c.i, c.point, stone_on_stone_);
-      add(c.j, c.point, stone_on_stone_);
-    }
-  for (const WallContact& c : lists_.wall_contacts())
-    if (c.touching) add(c.i, c.point, walls_[c.wall].contact);
-  if (ribs)
-    for (const RibContact& c : ribs->contacts())
-      if (c.overlap > 0) add(c.i, c.point, ribs->properties());
-
-  StableStep limit;
-  double largest = 0;
-  for (int i = 0; i < clumps_.size(); ++i)
-    if (rate[i] > largest) {
-      largest = rate[i];
-      limit = {2 / std::sqrt(2 * rate[i]), clumps_.id[i], clumps_.mass[i], contacts[i]};
-    }
-  return limit;
-}
-
-StableStep Engine::expected_stable_step(const std::vector<double>& densities, int n_contacts) const
-{
-  StableStep limit;
-  double largest = 0;
-  for (std::size_t s = 0; s < clumps_.shapes().size(); ++s) {
-    const ClumpShape& shape = clumps_.shapes()[s];
-    const double mass = densities[s] * shape.volume;
-    double mobility = 0;
-    for (const Sphere& sphere : shape.spheres) {
-      // Where a sphere is farthest from the centre of mass, and its poles along the axes.
-      const auto consider = [&](const Vector3& direction) {
-        mobility = std::max(mobility, largest_mobility(sphere.centre + sphere.radius * direction,
-                                                       mass, densities[s] * shape.unit_inertia));
-      };
-      consider(sphere.centre.stableNormalized());
-      for (int k = 0; k < 3; ++k) consider(Vector3::Unit(k)), consider(-Vector3::Unit(k));
-    }
-    const double rate = n_contacts * largest_stiffness(stone_on_stone_) * mobility;
-    if (rate > largest) {
-      largest = rate;
-      limit = {2 / std::sqrt(2 * rate), static_cast<std::int64_t>(s), mass, n_contacts};
-    }
-  }
-  return limit;
-}
-
-int Engine::count_overlaps_brute_force() const
-{
-  int count = 0;
-  for (int i = 0; i < clumps_.size(); ++i)
-    for (int j = i + 1; j < clumps_.size(); ++j)
-      for (std::size_t a = 0; a < clumps_.shape_of(i).spheres.size(); ++a)
-        for (std::size_t b = 0; b < clumps_.shape_of(j).spheres.size(); ++b) {
-          const Vector3 d = clumps_.position[i] + clumps_.member_offset(i, a) -
-                            clumps_.position[j] - clumps_.member_offset(j, b);
-          const double reach =
-              clumps_.shape_of(i).spheres[a].radius + clumps_.shape_of(j).spheres[b].radius;
-          if (d.squaredNorm() < reach * reach) ++count;
-        }
-  return count;
 }
 } // namespace interlock::dem

@@ -2,9 +2,11 @@
 //
 // The caller owns the loop. One step without ribs reads
 //     engine.compute_forces(dt);   // contacts at the present poses
-//     engine.kick(i, dt); engine.drift(i, dt);  for every clump i
+//     engine.kick_all(dt);
+//     engine.drift_all(dt);
+//     engine.move_walls(dt);
 // and with ribs the kick of the outer forces stays, while clumps near ribs drift in sub-steps
-// (coupling/staggered_step.h).
+// (coupling/staggered_step.h). How it works: docs/theory/engine.md.
 #pragma once
 
 #include "dem/neighbour_lists.h"
@@ -32,6 +34,38 @@ struct StableStep {
   std::int64_t clump_id = -1;
   double mass = 0;  // of that clump [kg]
   int contacts = 0; // of that clump
+};
+
+// A contact between member `a` of clump i and member `b` of clump j > i, as it was at the last
+// compute_forces; world frame.
+struct SphereContact {
+  int i = 0, j = 0, a = 0, b = 0;
+  bool touching = false;
+  Vector3 force = Vector3::Zero(); // on clump i, zero when not touching [N]
+  Vector3 point = Vector3::Zero(); // mid-overlap, at the present poses [m]
+  double overlap = 0;              // zero when not touching [m]
+  ContactHistory history;          // of i against j
+  double share = 1;                // of stiffness and dashpots [-]
+};
+
+// The same of a clump and a wall.
+struct WallContact {
+  int i = 0, wall = 0, a = 0;
+  bool touching = false;
+  Vector3 force = Vector3::Zero();
+  Vector3 point = Vector3::Zero();
+  double overlap = 0;
+  ContactHistory history; // of the clump against the wall
+  double share = 1;
+};
+
+// Time spent in the parts of the steps since the last reset [s].
+struct StepProfile {
+  double broad_phase = 0; // clump pairs
+  double lists = 0;       // sphere pairs
+  double contacts = 0;    // laws and sums
+  double integration = 0;
+  ListCounts counts; // since the beginning
 };
 
 class Engine
@@ -62,11 +96,13 @@ public:
   // .torque. `dt` is the step over which tangential springs advance [s].
   void compute_forces(double dt);
 
-  // Adds the impulse of the computed forces and of gravity.
-  // `other_force` and `other_torque` (world, about the centre of mass [N], [N m]) act on the clump
-  // besides and are added elsewhere: local damping goes by the whole unbalanced force.
-  void kick(int clump, double dt, const Vector3& other_force = Vector3::Zero(),
-            const Vector3& other_torque = Vector3::Zero());
+  // Adds the impulse of the computed forces and of gravity to every clump. `other_force` and
+  // `other_torque` (per clump, world, about the centre of mass [N], [N m]) act besides and are
+  // added elsewhere: local damping goes by the whole unbalanced force.
+  void kick_all(double dt, const VectorField* other_force = nullptr,
+                const VectorField* other_torque = nullptr);
+  // Moves every clump, except those with (*held)[i] = 1.
+  void drift_all(double dt, const ScalarField* held = nullptr);
   // Local damping (Cundall 1987) of clumps that touch something, to settle a packing faster: each
   // component of the unbalanced force and torque is lowered by this share of its size where it
   // speeds the clump up, and raised where it slows it down. 0 switches it off [-].
@@ -92,34 +128,39 @@ public:
   // contacts where its surface is most mobile.
   StableStep expected_stable_step(const std::vector<double>& densities, int n_contacts) const;
 
-  std::vector<SphereContact>& sphere_contacts() { return lists_.sphere_contacts(); }
-  const std::vector<SphereContact>& sphere_contacts() const { return lists_.sphere_contacts(); }
-  const std::vector<WallContact>& wall_contacts() const { return lists_.wall_contacts(); }
+  // Of two clumps sorted by (i, j, a, b), and at walls sorted by (wall, i, a); those about to touch
+  // are among them.
+  std::vector<SphereContact> sphere_contacts() const;
+  std::vector<WallContact> wall_contacts() const;
   // Counts, and the largest overlap of stones with stones and walls [m], of the last
   // compute_forces.
   int n_touching_spheres() const { return n_touching_; }
-  double largest_overlap() const { return largest_overlap_; }
+  double largest_overlap() const;
 
   // Brute force over all pairs of member spheres: number of overlapping pairs (for tests).
   int count_overlaps_brute_force() const;
 
+  void set_list_settings(const ListSettings& settings) { lists_.set(settings); }
+  StepProfile profile() const;
+  void reset_profile();
+
 private:
-  void touch(SphereContact& contact, double dt);
-  void touch(WallContact& contact, double dt);
-  double contact_elastic_energy(const SphereContact& contact) const;
-  double contact_elastic_energy(const WallContact& contact) const;
+  double elastic_energy(const SphereContact& contact) const;
+  double elastic_energy(const WallContact& contact) const;
   double body_energy(int clump) const;
+  void damp_locally(double dt, const VectorField* other_force, const VectorField* other_torque);
 
   Clumps clumps_;
   std::vector<Wall> walls_;
   NeighbourLists lists_;
   ContactProperties stone_on_stone_;
   double gravity_;
-  Vector3 gravity_vector_; // pointing up: subtract
   ContactEnergy contact_energy_;
   double local_damping_ = 0;
   double local_damping_loss_ = 0, wall_work_ = 0, inserted_ = 0;
   int n_touching_ = 0;
-  double largest_overlap_ = 0;
+  ScalarField nothing_held_;
+  StepProfile profile_;
+  double broad_phase_before_ = 0;
 };
 } // namespace interlock::dem

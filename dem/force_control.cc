@@ -1,5 +1,6 @@
 #include "dem/force_control.h"
 
+#include "dem/engine.h"
 #include "dem/input_error.h"
 
 #include <algorithm>

@@ -7,10 +7,12 @@
 #pragma once
 
 #include "dem/mesh_contacts.h"
-#include "dem/neighbour_lists.h"
+#include "dem/wall.h"
 
 namespace interlock::dem
 {
+struct WallContact; // engine.h
+
 struct ForceControl {
   Vector3 axis = Vector3::UnitZ(); // unit, world
   double force = 0;                // to be kept, 0 or more: walls do not pull [N]

@@ -1,6 +1,8 @@
 // The contacts of MeshContacts and their forces; the lists are in mesh_contact_list.cc.
 #include "dem/mesh_contacts.h"
 
+#include "dem/input_error.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -31,6 +33,10 @@ void MeshContacts::evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double
                             ContactEnergy& energy)
 {
   for (MeshWall& wall : walls) {
+    if (wall.contact.model != ContactModel::linear)
+      throw InputError("Wall '" + wall.name +
+                       "' of triangles has the Hertz-Mindlin contact model, but walls of triangles "
+                       "know the linear one only.");
     wall.force.setZero();
     wall.torque.setZero();
   }

@@ -47,7 +47,9 @@ public:
   // Evaluates all contacts at the present poses, for which update_list must have been called, and
   // advances springs by `time_step` [s]. Adds to clumps.force and clumps.torque, to all of `energy`
   // (the elastic part included); sets force and torque of the walls.
-  // Velocities are clumps.step_velocity and .step_spin, and those of the walls' last move.
+  // Velocities are clumps.step_velocity and .step_spin, and those of the walls' last move. Each
+  // contact has the whole stiffness (share_among_contacts is not heeded). Throws InputError for
+  // another model than the linear one.
   void evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double time_step,
                 ContactEnergy& energy);
 

@@ -3,6 +3,7 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
+#include <chrono>
 #include <tuple>
 
 namespace interlock::dem
@@ -13,238 +14,394 @@ namespace bg = boost::geometry;
 using BoostPoint = bg::model::point<double, 3, bg::cs::cartesian>;
 using BoostBox = bg::model::box<BoostPoint>;
 
+// Skins last about this many steps at the present speed.
+constexpr double inner_steps = 25, middle_steps = 400, outer_steps = 3000;
+// In units of the mean bounding radius of the clumps.
+constexpr double inner_least = 4e-4, inner_widest = 1e-2, middle_least = 0.008,
+                 middle_widest = 0.08, outer_least = 0.16, outer_widest = 0.6;
+
 BoostBox box_around(const Vector3& x, double r)
 {
   return {BoostPoint(x[0] - r, x[1] - r, x[2] - r), BoostPoint(x[0] + r, x[1] + r, x[2] + r)};
 }
 
-auto key(const SphereContact& c)
+auto key_of(const ContactLanes& lanes, int k)
 {
-  return std::tie(c.i, c.j, c.a, c.b);
-}
-auto key(const WallContact& c)
-{
-  return std::tie(c.i, c.wall, c.a);
+  return std::make_tuple(lanes.i[k], lanes.j[k], lanes.a[k], lanes.b[k]);
 }
 
-// Carries the history from the old list to the new one; both are sorted by key.
-template <class Contact>
-void carry_history(const std::vector<Contact>& old_contacts, std::vector<Contact>& contacts)
+// Histories of lanes [begin, end) from those of old lanes with the same key; both are sorted.
+void carry_histories(const ContactLanes& old, WallSegment from, ContactLanes& lanes, WallSegment to)
 {
-  auto old = old_contacts.begin();
-  for (Contact& contact : contacts) {
-    while (old != old_contacts.end() && key(*old) < key(contact)) ++old;
-    if (old == old_contacts.end()) return;
-    if (key(*old) == key(contact)) {
-      contact.history = old->history;
-      contact.touching = old->touching;
-      contact.force = old->force;
-      contact.point = old->point;
-    }
+  int o = from.begin;
+  for (int k = to.begin; k < to.end; ++k) {
+    const auto key = key_of(lanes, k);
+    while (o < from.end && key_of(old, o) < key) ++o;
+    if (o == from.end) return;
+    if (key_of(old, o) == key) lanes.copy_history(k, old, o);
   }
 }
 } // namespace
 
-void NeighbourLists::Reference::take(const Clumps& clumps, const std::vector<Wall>& walls, double s)
+void NeighbourLists::set(const ListSettings& settings)
 {
-  x = clumps.position;
-  q = clumps.orientation;
-  wall.clear();
-  for (const Wall& w : walls) wall.push_back(w.corner);
-  skin = s;
+  settings_ = settings;
+  size_ = 0;
+  invalidate();
 }
 
-double NeighbourLists::Reference::used(const Clumps& clumps, const std::vector<Wall>& walls,
-                                       bool with_rotation) const
+void NeighbourLists::choose_sizes(const Clumps& clumps)
 {
-  double moved = 0, turned = 0;
-  for (int i = 0; i < clumps.size(); ++i) {
-    moved = std::max(moved, (clumps.position[i] - x[i]).squaredNorm());
-    if (!with_rotation) continue;
-    const double reach = clumps.member_reach(i);
-    const Vector3 v = (q[i].conjugate() * clumps.orientation[i]).vec();
-    turned = std::max(turned, reach * reach * v.squaredNorm());
+  double sum = 0;
+  for (int i = 0; i < clumps.size(); ++i) sum += clumps.bounding_radius(i);
+  const double mean = sum / clumps.size();
+  if (size_ > 0 && std::abs(mean - size_) < 0.1 * size_) return;
+  size_ = mean;
+  inner_rest_ = settings_.inner_skin > 0 ? settings_.inner_skin : inner_least * mean;
+  inner_most_ = std::max(inner_rest_, inner_widest * mean);
+  middle_rest_ = settings_.middle_skin > 0 ? settings_.middle_skin : middle_least * mean;
+  middle_rest_ = std::max(middle_rest_, 2 * inner_rest_);
+  middle_most_ = std::max(middle_widest * mean, 2 * std::max(middle_rest_, inner_most_));
+  outer_rest_ = std::max(outer_least * mean, 2 * middle_rest_);
+  outer_most_ = std::max(outer_widest * mean, 2 * middle_most_);
+}
+
+void NeighbourLists::update(const Clumps& clumps, const std::vector<Wall>& walls, double dt)
+{
+  if (clumps.size() == 0) {
+    pairs_.resize(0);
+    wall_lanes_.resize(0);
+    wall_segments_.assign(walls.size(), {0, 0});
+    valid_ = false;
+    return;
   }
-  double used = std::sqrt(moved) + 2 * std::sqrt(turned);
-  for (std::size_t w = 0; w < walls.size(); ++w)
-    used = std::max(used, (walls[w].corner - wall[w]).norm());
-  return used;
-}
+  if (valid_ && inner_holds(clumps, walls)) return;
 
-void NeighbourLists::update(const Clumps& clumps, const std::vector<Wall>& walls, double time_step)
-{
-  const double slack = inner_.skin;
-  if (valid_ && 2 * inner_.used(clumps, walls, true) <= slack) return;
-
-  double fastest = 0;
+  walk_.take_shapes(clumps.shapes());
+  choose_sizes(clumps);
+  speed_.resize(clumps.size());
   for (int i = 0; i < clumps.size(); ++i)
-    fastest = std::max(fastest,
-                       clumps.velocity[i].norm() + clumps.spin[i].norm() * clumps.member_reach(i));
-  for (const Wall& wall : walls) fastest = std::max(fastest, wall.velocity.norm());
-  // Twice the way of the fastest clump in a number of steps that balances building against testing.
-  const double inner_skin = std::clamp(2 * fastest * time_step * 12, 2e-5, 2e-4);
-  const double middle_skin = std::clamp(2 * fastest * time_step * 80, 3e-4, 2e-3);
-  const double outer_skin = 4e-3;
-
-  const bool middle_lasts =
-      valid_ && inner_skin + 2 * middle_.used(clumps, walls, true) <= middle_.skin;
-  if (!middle_lasts) {
-    if (!valid_ || middle_skin + 2 * outer_.used(clumps, walls, false) > outer_.skin) {
-      outer_.take(clumps, walls, outer_skin + middle_skin);
-      build_outer(clumps, walls);
-    }
-    middle_.take(clumps, walls, middle_skin);
-    build_middle(clumps, walls);
-  }
-  inner_.take(clumps, walls, inner_skin);
-  build_inner(clumps, walls);
+    speed_[i] = clumps.velocity[i].norm() + clumps.spin[i].norm() * clumps.member_reach(i);
+  choose_inner_skins(clumps, walls, dt);
+  if (valid_) middle_.measure(clumps, middle_used_);
+  if (!valid_ || !middle_holds(walls)) build_middle(clumps, walls, dt);
+  inner_.resize(clumps.size());
+  for (int i = 0; i < clumps.size(); ++i) inner_.take(clumps, i, next_inner_skin_[i]);
+  build_pair_lanes(clumps);
+  build_wall_lanes(clumps, walls);
+  ++counts_.inner_builds;
+  counts_.lanes = pairs_.size();
   valid_ = true;
+  adapt();
 }
 
-void NeighbourLists::build_outer(const Clumps& clumps, const std::vector<Wall>&)
+bool NeighbourLists::inner_holds(const Clumps& clumps, const std::vector<Wall>& walls)
 {
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    if ((walls[w].corner - at_walls_[w].inner_reference).norm() > at_walls_[w].inner_skin)
+      return false;
+  return inner_.holds(clumps);
+}
+
+void NeighbourLists::choose_inner_skins(const Clumps& clumps, const std::vector<Wall>& walls,
+                                        double dt)
+{
+  next_inner_skin_.resize(clumps.size());
+  for (int i = 0; i < clumps.size(); ++i)
+    next_inner_skin_[i] = std::clamp(inner_steps * dt * speed_[i], inner_rest_, inner_most_);
+  if (at_walls_.size() != walls.size()) {
+    at_walls_.resize(walls.size());
+    valid_ = false;
+  }
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    at_walls_[w].inner_reference = walls[w].corner;
+    at_walls_[w].inner_skin = std::min(inner_steps * dt * walls[w].velocity.norm(), inner_most_);
+  }
+}
+
+// Whether the middle level can be filtered into the inner one.
+bool NeighbourLists::middle_holds(const std::vector<Wall>& walls) const
+{
+  for (int i = 0; i < next_inner_skin_.size(); ++i)
+    if (next_inner_skin_[i] + middle_used_[i] > middle_.skin[i]) return false;
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    if (at_walls_[w].inner_skin + (walls[w].corner - at_walls_[w].reference).norm() >
+        at_walls_[w].skin)
+      return false;
+  return true;
+}
+
+void NeighbourLists::build_middle(const Clumps& clumps, const std::vector<Wall>& walls, double dt)
+{
+  mark(clumps, walls, dt);
+  // A ball's surface moves with its centre alone.
+  bool outer_holds = valid_;
+  for (int i = 0; i < clumps.size() && outer_holds; ++i)
+    outer_holds =
+        middle_.skin[i] + (clumps.position[i] - outer_.position[i]).norm() <= outer_.skin[i];
+  if (!outer_holds) {
+    const auto start = std::chrono::steady_clock::now();
+    build_outer(clumps, dt);
+    broad_phase_time_ +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  walk_clump_pairs(clumps);
+  walk_walls(clumps, walls);
+  ++counts_.middle_builds;
+  counts_.candidates = candidates_.size();
+}
+
+// Chooses the clumps and walls that get a new reference: those that have used a good part of their
+// skin, and all of them when nothing can be kept.
+void NeighbourLists::mark(const Clumps& clumps, const std::vector<Wall>& walls, double dt)
+{
+  const int n = clumps.size();
+  all_marked_ = !valid_;
+  marked_.assign(n, all_marked_);
+  wall_marked_.assign(walls.size(), all_marked_);
+  middle_.resize(n);
+  middle_used_.resize(n);
+  for (int i = 0; i < n; ++i) {
+    if (!all_marked_)
+      marked_[i] = middle_used_[i] > 0.125 * middle_.skin[i] ||
+                   next_inner_skin_[i] + middle_used_[i] > 0.75 * middle_.skin[i];
+    if (!marked_[i]) continue;
+    const double skin = std::clamp(middle_steps * dt * speed_[i], middle_rest_, middle_most_);
+    middle_.take(clumps, i, std::max(skin, 2 * next_inner_skin_[i]));
+    middle_used_[i] = 0;
+  }
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    WallCandidates& at = at_walls_[w];
+    const double used = (walls[w].corner - at.reference).norm();
+    wall_marked_[w] = all_marked_ || at.inner_skin + used > 0.75 * at.skin;
+    if (!wall_marked_[w]) continue;
+    at.reference = walls[w].corner;
+    at.skin = std::min(middle_steps * dt * walls[w].velocity.norm(), middle_most_);
+    at.skin = std::max(at.skin, 2 * at.inner_skin);
+  }
+}
+
+void NeighbourLists::build_outer(const Clumps& clumps, double dt)
+{
+  const int n = clumps.size();
+  outer_.resize(n);
+  for (int i = 0; i < n; ++i) {
+    const double skin = std::clamp(outer_steps * dt * speed_[i], outer_rest_, outer_most_);
+    outer_.take(clumps, i, std::max(skin, 2 * middle_.skin[i]));
+  }
   using Entry = std::pair<BoostBox, int>;
   std::vector<Entry> boxes;
-  boxes.reserve(clumps.size());
-  for (int i = 0; i < clumps.size(); ++i)
-    boxes.emplace_back(box_around(clumps.position[i], clumps.bounding_radius(i)), i);
+  boxes.reserve(n);
+  for (int i = 0; i < n; ++i)
+    boxes.emplace_back(box_around(clumps.position[i], clumps.bounding_radius(i) + outer_.skin[i]),
+                       i);
   const bg::index::rtree<Entry, bg::index::quadratic<16>> tree(boxes);
 
+  // Candidates of pairs that stay are kept.
+  const std::vector<ClumpPair> old = std::move(clump_pairs_);
   clump_pairs_.clear();
+  auto kept = old.begin();
+  std::vector<int> partners;
   std::vector<Entry> hits;
-  for (int i = 0; i < clumps.size(); ++i) {
-    const double reach = clumps.bounding_radius(i) + outer_.skin;
+  for (int i = 0; i < n; ++i) {
+    const double reach = clumps.bounding_radius(i) + outer_.skin[i];
     hits.clear();
-    tree.query(bg::index::intersects(box_around(clumps.position[i], reach)),
-               std::back_inserter(hits));
-    const std::size_t first = clump_pairs_.size();
+    partners.clear();
+    tree.query(bg::index::intersects(boxes[i].first), std::back_inserter(hits));
     for (const Entry& hit : hits) {
       const int j = hit.second;
-      const double limit = reach + clumps.bounding_radius(j);
-      if (j > i && (clumps.position[j] - clumps.position[i]).squaredNorm() < limit * limit)
-        clump_pairs_.push_back({i, j});
+      if (j <= i) continue;
+      const double limit = reach + clumps.bounding_radius(j) + outer_.skin[j];
+      if ((clumps.position[j] - clumps.position[i]).squaredNorm() < limit * limit)
+        partners.push_back(j);
     }
-    std::sort(clump_pairs_.begin() + first, clump_pairs_.end(),
-              [](const ClumpPair& a, const ClumpPair& b) { return a.j < b.j; });
+    std::sort(partners.begin(), partners.end());
+    for (const int j : partners) {
+      ClumpPair pair{i, j};
+      while (kept != old.end() && std::tie(kept->i, kept->j) < std::tie(i, j)) ++kept;
+      if (kept != old.end() && kept->i == i && kept->j == j)
+        pair.first = kept->first, pair.last = kept->last;
+      clump_pairs_.push_back(pair);
+    }
+  }
+  ++counts_.outer_builds;
+  counts_.clump_pairs = clump_pairs_.size();
+}
+
+void NeighbourLists::walk_clump_pairs(const Clumps& clumps)
+{
+  old_candidates_.swap(candidates_);
+  candidates_.clear();
+  for (ClumpPair& pair : clump_pairs_) {
+    const int first = static_cast<int>(candidates_.size());
+    if (!marked_[pair.i] && !marked_[pair.j]) {
+      candidates_.insert(candidates_.end(), old_candidates_.begin() + pair.first,
+                         old_candidates_.begin() + pair.last);
+    } else {
+      // A partner that keeps its reference may have been nearer there.
+      const double used = middle_used_[pair.i] + middle_used_[pair.j];
+      const double cut = middle_.skin[pair.i] + middle_.skin[pair.j] + used;
+      const double limit = clumps.bounding_radius(pair.i) + clumps.bounding_radius(pair.j) + cut;
+      if ((clumps.position[pair.j] - clumps.position[pair.i]).squaredNorm() < limit * limit)
+        walk_.add_pairs(clumps, pair.i, pair.j, cut, candidates_);
+      for (std::size_t c = first; c < candidates_.size(); ++c) candidates_[c].gap -= used;
+    }
+    pair.first = first;
+    pair.last = static_cast<int>(candidates_.size());
   }
 }
 
-void NeighbourLists::place_members(const Clumps& clumps)
+void NeighbourLists::walk_walls(const Clumps& clumps, const std::vector<Wall>& walls)
 {
-  first_member_.resize(clumps.size() + 1);
-  member_centre_.resize(clumps.n_spheres());
-  int next = 0;
-  for (int i = 0; i < clumps.size(); ++i) {
-    first_member_[i] = next;
-    for (const Sphere& sphere : clumps.shape_of(i).spheres)
-      member_centre_[next++] = clumps.position[i] + clumps.rotation[i] * sphere.centre;
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    WallCandidates& at = at_walls_[w];
+    std::swap(at.clumps, old_at_wall_.clumps);
+    std::swap(at.near, old_at_wall_.near);
+    at.clumps.clear();
+    at.near.clear();
+    const double wall_used = (walls[w].corner - at.reference).norm();
+    auto old = old_at_wall_.clumps.begin();
+    for (int i = 0; i < clumps.size(); ++i) {
+      while (old != old_at_wall_.clumps.end() && old->i < i) ++old;
+      const int first = static_cast<int>(at.near.size());
+      if (!marked_[i] && !wall_marked_[w]) {
+        if (old == old_at_wall_.clumps.end() || old->i != i) continue;
+        at.near.insert(at.near.end(), old_at_wall_.near.begin() + old->first,
+                       old_at_wall_.near.begin() + old->last);
+      } else {
+        const double used = middle_used_[i] + wall_used;
+        const double cut = middle_.skin[i] + at.skin + used;
+        const Vector3 x = clumps.position[i];
+        if ((x - walls[w].nearest_point(x)).norm() > clumps.bounding_radius(i) + cut) continue;
+        walk_.add_at_wall(clumps, i, walls[w], cut, at.near);
+        for (std::size_t c = first; c < at.near.size(); ++c) at.near[c].gap -= used;
+      }
+      if (static_cast<int>(at.near.size()) > first)
+        at.clumps.push_back({i, first, static_cast<int>(at.near.size())});
+    }
   }
-  first_member_[clumps.size()] = next;
 }
 
-void NeighbourLists::build_middle(const Clumps& clumps, const std::vector<Wall>& walls)
+void NeighbourLists::build_pair_lanes(const Clumps& clumps)
 {
-  place_members(clumps);
-  member_pairs_.clear();
+  keys_.clear();
   for (const ClumpPair& pair : clump_pairs_) {
-    const double limit =
-        clumps.bounding_radius(pair.i) + clumps.bounding_radius(pair.j) + middle_.skin;
-    if ((clumps.position[pair.j] - clumps.position[pair.i]).squaredNorm() < limit * limit)
-      add_member_pairs(clumps, pair.i, pair.j);
+    if (pair.first == pair.last) continue;
+    const int i = pair.i, j = pair.j;
+    const double skins = next_inner_skin_[i] + next_inner_skin_[j];
+    const double used = middle_used_[i] + middle_used_[j];
+    // Measured only where the bound alone would let too much pass.
+    const bool measure = used > 0.3 * skins;
+    for (int c = pair.first; c < pair.last; ++c) {
+      const NearSpheres& near = candidates_[c];
+      if (near.gap > skins + used) continue;
+      if (measure) {
+        const Sphere &sa = clumps.shape_of(i).spheres[near.a],
+                     &sb = clumps.shape_of(j).spheres[near.b];
+        const Vector3 d = clumps.position[i] - clumps.position[j] +
+                          (clumps.member_offset(i, near.a) - clumps.member_offset(j, near.b));
+        const double reach = sa.radius + sb.radius + skins;
+        if (d.squaredNorm() > reach * reach) continue;
+      }
+      keys_.push_back({i, j, near.a, near.b});
+    }
   }
+  std::swap(old_pairs_, pairs_);
+  const int n = static_cast<int>(keys_.size());
+  pairs_.resize(0);
+  pairs_.resize(n);
+  for (int k = 0; k < n; ++k) pairs_.set_pair(k, keys_[k], clumps);
+  carry_histories(old_pairs_, {0, old_pairs_.size()}, pairs_, {0, n});
+}
 
-  wall_members_.clear();
-  for (int i = 0; i < clumps.size(); ++i)
-    for (int w = 0; w < static_cast<int>(walls.size()); ++w) {
-      const Vector3 to_clump = clumps.position[i] - walls[w].nearest_point(clumps.position[i]);
-      if (to_clump.norm() > clumps.bounding_radius(i) + middle_.skin) continue;
-      const std::vector<Sphere>& spheres = clumps.shape_of(i).spheres;
-      for (int a = 0; a < static_cast<int>(spheres.size()); ++a) {
-        const Vector3& centre = member_centre_[first_member_[i] + a];
-        const double reach = spheres[a].radius + middle_.skin;
-        if ((centre - walls[w].nearest_point(centre)).squaredNorm() < reach * reach)
-          wall_members_.push_back({i, w, a});
+void NeighbourLists::build_wall_lanes(const Clumps& clumps, const std::vector<Wall>& walls)
+{
+  keys_.clear();
+  old_wall_segments_.swap(wall_segments_);
+  wall_segments_.clear();
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const WallCandidates& at = at_walls_[w];
+    keys_.resize(padded(static_cast<int>(keys_.size())));
+    WallSegment segment{static_cast<int>(keys_.size()), 0};
+    const double wall_used = (walls[w].corner - at.reference).norm();
+    for (const WallClump& clump : at.clumps) {
+      const int i = clump.i;
+      const double skins = next_inner_skin_[i] + at.inner_skin;
+      const double used = middle_used_[i] + wall_used;
+      for (int c = clump.first; c < clump.last; ++c) {
+        const NearSpheres& near = at.near[c];
+        if (near.gap > skins + used) continue;
+        const Vector3 x = clumps.position[i] + clumps.member_offset(i, near.a);
+        const double reach = clumps.shape_of(i).spheres[near.a].radius + skins;
+        if ((x - walls[w].nearest_point(x)).squaredNorm() > reach * reach) continue;
+        keys_.push_back({i, static_cast<int>(w), near.a, 0});
       }
     }
+    segment.end = static_cast<int>(keys_.size());
+    wall_segments_.push_back(segment);
+  }
+  std::swap(old_wall_lanes_, wall_lanes_);
+  wall_lanes_.resize(0);
+  wall_lanes_.resize(static_cast<int>(keys_.size()));
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const WallSegment segment = wall_segments_[w];
+    for (int k = segment.begin; k < segment.end; ++k) wall_lanes_.set_wall(k, keys_[k], clumps);
+    if (w < old_wall_segments_.size())
+      carry_histories(old_wall_lanes_, old_wall_segments_[w], wall_lanes_, segment);
+  }
 }
 
-// A slab filter along the line of centres leaves few spheres of either clump; those are tested in
-// pairs.
-void NeighbourLists::add_member_pairs(const Clumps& clumps, int i, int j)
+// Finer clumps have more spheres within the same skin: narrower skins then cost less.
+void NeighbourLists::adapt()
 {
-  const std::vector<Sphere>&si = clumps.shape_of(i).spheres, &sj = clumps.shape_of(j).spheres;
-  const Vector3 *xi = &member_centre_[first_member_[i]], *xj = &member_centre_[first_member_[j]];
-  const Vector3 axis = (clumps.position[j] - clumps.position[i]).normalized();
-  const double skin = middle_.skin;
-
-  double front_i = -1e300, front_j = 1e300;
-  for (std::size_t a = 0; a < si.size(); ++a)
-    front_i = std::max(front_i, axis.dot(xi[a]) + si[a].radius);
-  for (std::size_t b = 0; b < sj.size(); ++b)
-    front_j = std::min(front_j, axis.dot(xj[b]) - sj[b].radius);
-  if (front_i + skin < front_j) return;
-
-  candidates_i_.clear();
-  candidates_j_.clear();
-  for (std::size_t a = 0; a < si.size(); ++a)
-    if (axis.dot(xi[a]) + si[a].radius + skin >= front_j) candidates_i_.push_back(a);
-  for (std::size_t b = 0; b < sj.size(); ++b)
-    if (axis.dot(xj[b]) - sj[b].radius - skin <= front_i) candidates_j_.push_back(b);
-  for (const int a : candidates_i_)
-    for (const int b : candidates_j_) {
-      const double reach = si[a].radius + sj[b].radius + skin;
-      if ((xi[a] - xj[b]).squaredNorm() < reach * reach) member_pairs_.push_back({i, j, a, b});
-    }
-}
-
-void NeighbourLists::build_inner(const Clumps& clumps, const std::vector<Wall>& walls)
-{
-  const double skin = inner_.skin;
-  old_sphere_contacts_.swap(sphere_contacts_);
-  sphere_contacts_.clear();
-  for (const MemberPair& p : member_pairs_) {
-    const Sphere &sa = clumps.shape_of(p.i).spheres[p.a], &sb = clumps.shape_of(p.j).spheres[p.b];
-    const Vector3 d = clumps.position[p.i] + clumps.rotation[p.i] * sa.centre -
-                      clumps.position[p.j] - clumps.rotation[p.j] * sb.centre;
-    const double reach = sa.radius + sb.radius + skin;
-    if (d.squaredNorm() >= reach * reach) continue;
-    SphereContact contact;
-    contact.i = p.i, contact.j = p.j, contact.a = p.a, contact.b = p.b;
-    sphere_contacts_.push_back(contact);
+  const double lanes = pairs_.size() + 100.;
+  if (settings_.middle_skin == 0) {
+    const double ratio = candidates_.size() / lanes, widest = middle_least * size_;
+    if (ratio > 6 && middle_rest_ > 3 * inner_rest_) middle_rest_ *= 0.9;
+    if (ratio < 3) middle_rest_ = std::min(1.1 * middle_rest_, widest);
   }
-  carry_history(old_sphere_contacts_, sphere_contacts_);
-
-  old_wall_contacts_.swap(wall_contacts_);
-  wall_contacts_.clear();
-  for (const WallMember& m : wall_members_) {
-    const Vector3 x = clumps.position[m.i] + clumps.member_offset(m.i, m.a);
-    const double reach = clumps.shape_of(m.i).spheres[m.a].radius + skin;
-    if ((x - walls[m.wall].nearest_point(x)).squaredNorm() >= reach * reach) continue;
-    WallContact contact;
-    contact.i = m.i, contact.wall = m.wall, contact.a = m.a;
-    wall_contacts_.push_back(contact);
+  if (settings_.inner_skin == 0) {
+    double touching = 100;
+    for (int k = 0; k < pairs_.size(); ++k) touching += pairs_.overlap[k] > 0;
+    if (lanes > 1.5 * touching && inner_rest_ > 0.1 * inner_least * size_) inner_rest_ *= 0.9;
+    if (lanes < 1.25 * touching) inner_rest_ = std::min(1.1 * inner_rest_, inner_least * size_);
   }
-  carry_history(old_wall_contacts_, wall_contacts_);
 }
 
 void NeighbourLists::renumber_clumps(const std::vector<int>& new_index)
 {
   // Order is kept by the renumbering, so the lists stay sorted.
-  auto gone = [&](int i) { return new_index[i] < 0; };
-  auto& s = sphere_contacts_;
-  s.erase(std::remove_if(s.begin(), s.end(), [&](auto& c) { return gone(c.i) || gone(c.j); }),
-          s.end());
-  for (SphereContact& c : s) c.i = new_index[c.i], c.j = new_index[c.j];
-  auto& w = wall_contacts_;
-  w.erase(std::remove_if(w.begin(), w.end(), [&](auto& c) { return gone(c.i); }), w.end());
-  for (WallContact& c : w) c.i = new_index[c.i];
+  int kept = 0;
+  ContactLanes& p = pairs_;
+  for (int k = 0; k < p.size(); ++k) {
+    const int i = new_index[p.i[k]], j = new_index[p.j[k]];
+    if (i < 0 || j < 0) continue;
+    p.i[kept] = i, p.j[kept] = j, p.a[kept] = p.a[k], p.b[kept] = p.b[k];
+    p.copy_history(kept, p, k);
+    ++kept;
+  }
+  p.resize(kept);
+  ContactLanes& w = wall_lanes_;
+  int next = 0;
+  for (WallSegment& segment : wall_segments_) {
+    const int begin = padded(next);
+    next = begin;
+    for (int k = segment.begin; k < segment.end; ++k) {
+      const int i = new_index[w.i[k]];
+      if (i < 0) continue;
+      w.i[next] = i, w.j[next] = w.j[k], w.a[next] = w.a[k], w.b[next] = 0;
+      w.copy_history(next, w, k);
+      ++next;
+    }
+    segment = {begin, next};
+  }
+  w.resize(next);
   invalidate();
 }
 
 void NeighbourLists::forget_walls(int first)
 {
-  auto& w = wall_contacts_;
-  w.erase(std::remove_if(w.begin(), w.end(), [&](auto& c) { return c.wall >= first; }), w.end());
+  if (first < static_cast<int>(wall_segments_.size())) wall_segments_.resize(first);
   invalidate();
 }
 } // namespace interlock::dem

@@ -1,96 +1,111 @@
-// Nested neighbour lists: clump pairs, sphere pairs, sphere pairs about to touch.
-//
-// Each level is a filter of the one above with its own reference pose and skin, and proves its own
-// validity: since its reference pose a point of clump i has moved at most
-//     u_i = |x - x0| + 2 c_i |vec(conj(q0) q)|,  c_i = distance of its farthest sphere centre,
-// (chord of the rotation), so a list with skin s misses nothing while 2 max(u) <= s. The step
-// touches the inner list only. Lists never change a result: an entry that does not touch
-// contributes exact zero.
+// Nested neighbour lists: clump pairs, sphere pairs, sphere pairs about to touch. Each level is a
+// filter of the one above and proves its own validity (docs/theory/engine.md). The step touches the
+// inner level only. Lists never change a result: an entry that does not touch contributes exact
+// zero.
 #pragma once
 
-#include "dem/clumps.h"
-#include "dem/wall.h"
+#include "dem/contact_lanes.h"
+#include "dem/list_reference.h"
+#include "dem/sphere_pairs.h"
 
 namespace interlock::dem
 {
-// One sphere of clump i against one sphere of clump j, i < j.
-struct SphereContact {
-  int i = 0, j = 0, a = 0, b = 0;
-  ContactHistory history; // of i against j
-  bool touching = false;
-  Vector3 force = Vector3::Zero(); // on i, zero when not touching [N]
-  Vector3 point = Vector3::Zero(); // mid-overlap, world [m]
+// Skins of clumps at rest [m]; 0: chosen from the size of the clumps and adapted to the number of
+// candidates. They set the speed and nothing else.
+struct ListSettings {
+  double inner_skin = 0;
+  double middle_skin = 0;
 };
 
-// One sphere of a clump against a wall.
-struct WallContact {
-  int i = 0, wall = 0, a = 0;
-  ContactHistory history; // of the clump against the wall
-  bool touching = false;
-  Vector3 force = Vector3::Zero(); // on the clump [N]
-  Vector3 point = Vector3::Zero();
+// How often each level was built, and its present size.
+struct ListCounts {
+  std::int64_t outer_builds = 0, middle_builds = 0, inner_builds = 0;
+  std::int64_t clump_pairs = 0, candidates = 0, lanes = 0;
 };
 
 class NeighbourLists
 {
 public:
-  // Makes the inner lists complete for the present poses; rebuilds only what has expired.
-  // `time_step` is used to choose skins that last some tens of steps at the present speeds.
+  void set(const ListSettings& settings);
+
+  // Makes the lanes complete for the present poses; rebuilds only what has expired. `time_step`
+  // chooses skins that last some tens of steps at the present speeds [s].
   void update(const Clumps& clumps, const std::vector<Wall>& walls, double time_step);
 
-  // Forces a full rebuild at the next update, keeping the springs.
+  // Forces a full rebuild at the next update, keeping the histories.
   void invalidate() { valid_ = false; }
-
   // After clumps were removed: drops their contacts and renumbers the others.
   void renumber_clumps(const std::vector<int>& new_index);
   // After walls were removed or exchanged: drops contacts of walls with index >= first.
   void forget_walls(int first);
 
-  // Sorted by (i, j, a, b) and (i, wall, a): forces are summed in this order, so a clump adds its
-  // partners in ascending order on any number of ranks.
-  std::vector<SphereContact>& sphere_contacts() { return sphere_contacts_; }
-  std::vector<WallContact>& wall_contacts() { return wall_contacts_; }
-  const std::vector<SphereContact>& sphere_contacts() const { return sphere_contacts_; }
-  const std::vector<WallContact>& wall_contacts() const { return wall_contacts_; }
+  // Sorted by (i, j, a, b); and by (wall, i, a), one segment for each wall. Forces are summed in
+  // this order, so a clump adds its partners in ascending order.
+  ContactLanes& pair_lanes() { return pairs_; }
+  const ContactLanes& pair_lanes() const { return pairs_; }
+  ContactLanes& wall_lanes() { return wall_lanes_; }
+  const ContactLanes& wall_lanes() const { return wall_lanes_; }
+  const std::vector<WallSegment>& wall_segments() const { return wall_segments_; }
+
+  const ListCounts& counts() const { return counts_; }
+  // Time spent so far on the outer and on the other levels [s].
+  double broad_phase_time() const { return broad_phase_time_; }
 
 private:
-  struct Reference {
-    std::vector<Vector3> x;
-    std::vector<Quaternion> q;
-    std::vector<Vector3> wall;
-    double skin = 0; // [m]
-
-    void take(const Clumps& clumps, const std::vector<Wall>& walls, double new_skin);
-    // Largest displacement of any point since the reference [m].
-    double used(const Clumps& clumps, const std::vector<Wall>& walls, bool with_rotation) const;
-  };
+  // Candidates [first, last) of a clump pair.
   struct ClumpPair {
     int i, j;
+    int first = 0, last = 0;
   };
-  struct MemberPair {
-    int i, j, a, b;
+  // Candidates [first, last) of a clump at a wall.
+  struct WallClump {
+    int i;
+    int first, last;
   };
-  struct WallMember {
-    int i, wall, a;
+  struct WallCandidates {
+    std::vector<WallClump> clumps;
+    std::vector<NearSpheres> near;       // gap: lower bound at the references
+    Vector3 reference = Vector3::Zero(); // of the corner [m]
+    double skin = 0;                     // middle [m]
+    double inner_skin = 0;
+    Vector3 inner_reference = Vector3::Zero();
   };
 
-  void build_outer(const Clumps& clumps, const std::vector<Wall>& walls);
-  void build_middle(const Clumps& clumps, const std::vector<Wall>& walls);
-  void build_inner(const Clumps& clumps, const std::vector<Wall>& walls);
-  void add_member_pairs(const Clumps& clumps, int i, int j);
-  void place_members(const Clumps& clumps);
+  void choose_sizes(const Clumps& clumps);
+  bool inner_holds(const Clumps& clumps, const std::vector<Wall>& walls);
+  void choose_inner_skins(const Clumps& clumps, const std::vector<Wall>& walls, double dt);
+  bool middle_holds(const std::vector<Wall>& walls) const;
+  void build_outer(const Clumps& clumps, double dt);
+  void build_middle(const Clumps& clumps, const std::vector<Wall>& walls, double dt);
+  void mark(const Clumps& clumps, const std::vector<Wall>& walls, double dt);
+  void walk_clump_pairs(const Clumps& clumps);
+  void walk_walls(const Clumps& clumps, const std::vector<Wall>& walls);
+  void build_pair_lanes(const Clumps& clumps);
+  void build_wall_lanes(const Clumps& clumps, const std::vector<Wall>& walls);
+  void adapt();
 
+  ListSettings settings_;
   bool valid_ = false;
-  Reference outer_, middle_, inner_;
-  std::vector<ClumpPair> clump_pairs_;
-  std::vector<MemberPair> member_pairs_;
-  std::vector<WallMember> wall_members_;
-  std::vector<SphereContact> sphere_contacts_, old_sphere_contacts_;
-  std::vector<WallContact> wall_contacts_, old_wall_contacts_;
+  bool all_marked_ = false;
+  // Smallest and largest skins [m], from the mean bounding radius.
+  double inner_rest_ = 0, inner_most_ = 0, middle_rest_ = 0, middle_most_ = 0, outer_rest_ = 0,
+         outer_most_ = 0;
+  double size_ = 0; // mean bounding radius that the above belong to [m]
+  ListReference outer_, middle_, inner_;
+  ScalarField outer_used_, middle_used_, next_inner_skin_;
+  ScalarField speed_; // bound on the speed of any member centre, at the last build [m/s]
+  std::vector<bool> marked_, wall_marked_;
 
-  // World centres of all member spheres, only while the middle list is built.
-  std::vector<int> first_member_;
-  std::vector<Vector3> member_centre_;
-  std::vector<int> candidates_i_, candidates_j_;
+  std::vector<ClumpPair> clump_pairs_;
+  std::vector<NearSpheres> candidates_, old_candidates_; // gap: lower bound at the references
+  std::vector<WallCandidates> at_walls_;
+  WallCandidates old_at_wall_;
+  SphereWalk walk_;
+
+  std::vector<ContactKey> keys_; // of the lanes being built
+  ContactLanes pairs_, old_pairs_, wall_lanes_, old_wall_lanes_;
+  std::vector<WallSegment> wall_segments_, old_wall_segments_;
+  ListCounts counts_;
+  double broad_phase_time_ = 0;
 };
 } // namespace interlock::dem

@@ -69,7 +69,7 @@ void RibContacts::renumber_clumps(const std::vector<int>& new_index)
 void RibContacts::update_list(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step)
 {
   // Clumps or ribs may have come since the list was made.
-  if (clump_x_.size() != clumps.position.size() || rib_x_.size() != 2 * ribs.size()) valid_ = false;
+  if (clump_x_.size() != clumps.size() || rib_x_.size() != 2 * ribs.size()) valid_ = false;
   const double fastest = fastest_point(clumps, ribs);
   if (valid_) {
     double clump_moved = 0, clump_turned = 0, rib_moved = 0, rib_turned = 0;

@@ -27,8 +27,7 @@ double distance_to_core(const Rib& rib, const Vector3& p)
 
 const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
                                                     const std::vector<Rib>& ribs, double time_step,
-                                                    std::vector<Vector3>& force,
-                                                    std::vector<Vector3>& torque,
+                                                    VectorField& force, VectorField& torque,
                                                     ContactEnergy& energy)
 {
   energy.elastic = 0;
@@ -111,7 +110,7 @@ Vector3 RibContacts::relative_velocity(const RibContact& c, const Clumps& clumps
 {
   const double n1 = 1 - c.xi, n2 = c.xi;
   const Vector3 clump_arm = c.point - clumps.position[c.i];
-  return clumps.drift_velocity[c.i] + clumps.drift_spin[c.i].cross(clump_arm) -
+  return clumps.drift_velocity[c.i] + clumps.spin[c.i].cross(clump_arm) -
          (n1 * rib.v[0] + n2 * rib.v[1] + rod_spin(rib, c.xi).cross(c.arm));
 }
 
@@ -127,7 +126,7 @@ void RibContacts::open(const Group& group, const Clumps& clumps, const std::vect
 }
 
 void RibContacts::touch(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
-                        double time_step, std::vector<Vector3>& force, std::vector<Vector3>& torque,
+                        double time_step, VectorField& force, VectorField& torque,
                         ContactEnergy& energy)
 {
   RibContact& c = *group.contact;
@@ -145,7 +144,7 @@ void RibContacts::touch(const Group& group, const Clumps& clumps, const std::vec
   // Dashpots act on the reduced mass: the rib is far lighter than the stone.
   const double reduced_mass =
       1 / (1 / clumps.mass[c.i] + n1 * n1 * rib.inverse_mass[0] + n2 * n2 * rib.inverse_mass[1]);
-  const Vector3 spin = 0.5 * (clumps.drift_spin[c.i] + n1 * rib.w[0] + n2 * rib.w[1]);
+  const Vector3 spin = 0.5 * (clumps.spin[c.i] + n1 * rib.w[0] + n2 * rib.w[1]);
   rotate_spring(c.history.spring, p.normal, spin.dot(p.normal) * time_step);
   c.force = linear_contact_force(contact_, reduced_mass, p.overlap, p.normal,
                                  relative_velocity(c, clumps, rib), time_step, c.history, energy);

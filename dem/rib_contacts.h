@@ -44,8 +44,8 @@ public:
   // forces and torques to `force` and `torque` (per clump, world) and returns the wrenches on the
   // ribs in list order. energy.elastic is overwritten; friction and damping are added to.
   const std::vector<RibWrench>& evaluate(const Clumps& clumps, const std::vector<Rib>& ribs,
-                                         double time_step, std::vector<Vector3>& force,
-                                         std::vector<Vector3>& torque, ContactEnergy& energy);
+                                         double time_step, VectorField& force, VectorField& torque,
+                                         ContactEnergy& energy);
 
   // Clumps that can touch a rib before the list expires, ascending; and the ribs that they can
   // touch.
@@ -65,8 +65,7 @@ private:
 
   void build(const Clumps& clumps, const std::vector<Rib>& ribs);
   void touch(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
-             double time_step, std::vector<Vector3>& force, std::vector<Vector3>& torque,
-             ContactEnergy& energy);
+             double time_step, VectorField& force, VectorField& torque, ContactEnergy& energy);
   void open(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
             double time_step, ContactEnergy& energy);
   // Of the clump against the rib at the contact point [m/s].
@@ -77,8 +76,9 @@ private:
   ContactProperties contact_;
   bool valid_ = false;
   double skin_ = 0; // [m]
-  std::vector<Vector3> clump_x_, rib_x_, rib_axis_;
-  std::vector<Quaternion> clump_q_;
+  VectorField clump_x_;
+  QuaternionField clump_q_;
+  std::vector<Vector3> rib_x_, rib_axis_;
   std::vector<RibContact> contacts_, old_contacts_;
   std::vector<int> candidate_ribs_;
   std::vector<int> near_clumps_, near_ribs_;

@@ -1,5 +1,7 @@
 #include "dem/rolling_resistance.h"
 
+#include "dem/engine.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "dem/mesh_contacts.h"
-#include "dem/neighbour_lists.h"
+#include "dem/wall.h"
 
 #include <array>
 #include <limits>
@@ -15,6 +15,9 @@
 
 namespace interlock::dem
 {
+struct SphereContact; // engine.h
+struct WallContact;
+
 // Of one pair of materials.
 struct RollingProperties {
   // Coefficient mu_r: the moment is at most mu_r R_r F_n, R_r = r_i r_j/(r_i + r_j), and r_i

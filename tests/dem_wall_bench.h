@@ -96,7 +96,7 @@ struct Stage {
     const int i = engine.add_clump(shape, density, position, Quaternion::Identity(), velocity);
     Clumps& c = engine.clumps();
     c.spin[i] = c.step_spin[i] = spin;
-    c.angular_momentum[i] = c.inertia[i].cwiseProduct(spin);
+    c.angular_momentum[i] = Vector3(c.inertia[i]).cwiseProduct(spin);
     return i;
   }
 
@@ -110,10 +110,8 @@ struct Stage {
 
   void move(double dt)
   {
-    for (int i = 0; i < engine.clumps().size(); ++i) {
-      engine.kick(i, dt);
-      engine.clumps().drift(i, dt);
-    }
+    engine.kick_all(dt);
+    engine.drift_all(dt);
     engine.move_walls(dt);
     for (MeshWall& wall : meshes) wall.move(dt);
   }

@@ -1,8 +1,8 @@
 // Bad parameter files. Each test states one slip that a user makes and the words that must be in
 // the answer: the place, the entry, the value and what to write instead. It takes an error that is
 // not found, is found alone where there are several, or does not say where it is, to fail.
+#include "apps/case_templates.h"
 #include "apps/parameter_file.h"
-#include "apps/template_command.h"
 #include "dem/input_error.h"
 #include "tests/temporary_folder.h"
 
@@ -144,6 +144,34 @@ TEST_F(BadParameterFile, OtherExperimentsAreNotAvailable)
 {
   expect_words(errors_with("Experiment=heap"), {"\"heap\"", "not available in this version"});
   expect_words(errors_with("Experiment=pullout"), {"\"pullout\"", "\"pull-out\""});
+}
+
+// Nobody can know which other entries are missing.
+TEST_F(BadParameterFile, WithoutAnExperimentNothingElseIsMissing)
+{
+  expect_words(errors(write("bad.prm", "subsection Pull\n  set Speed = 0.1\nend\n")),
+               {"bad.prm", "\"Experiment\" is missing", "\"pull-out\""});
+}
+
+TEST_F(BadParameterFile, EveryExperimentHasEntriesOfItsOwn)
+{
+  const fs::path w1 = fs::path(INTERLOCK_SOURCE_DIR) / "cases" / "benchmark" / "w1.prm";
+  expect_words(errors(w1, {"Pull/Speed=1"}), {"no entry \"Pull/Speed\""});
+  expect_words(errors(w1, {"Packing/Sqeeze=0.01"}), {"\"Packing/Squeeze\""});
+  expect_words(errors(w1, {"Packing/Squeeze=9"}), {"\"9\"", "from 0 to 0.1"});
+  expect_words(errors(w1, {"Packing/State file=none.json"}),
+               {"\"Packing/State file\"", "none.json", "does not exist"});
+  expect_words(errors(w1, {"Packing/Write state=state.txt"}), {"state.txt", ".json.gz"});
+  expect_words(
+      errors(w1, {"Packing/Write state=" + w1.parent_path().string() + "/w1_settled.json.gz"}),
+      {"is the state file itself"});
+  expect_words(errors(w1, {"Packing/Write state=none/state.json"}), {"folder", "does not exist"});
+  expect_words(errors(w1, {"Packing/Hold still=true", "Packing/Throw spin=1"}),
+               {"held still", "Throw speed"});
+  expect_words(errors(w1, {"Time/Timed steps=60"}), {"50 records", "half of the 60"});
+  expect_words(errors(w1, {"Neighbour lists/Inner skin=2e-3", "Neighbour lists/Middle skin=1e-3"}),
+               {"0.002 m", "0.001 m"});
+  expect_words(errors(w1, {"Contact/Normal damping rate=4000 1/s"}), {"in 1/s"});
 }
 
 TEST_F(BadParameterFile, BrokenLinesAreNamed)

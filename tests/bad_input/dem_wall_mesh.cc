@@ -1,6 +1,6 @@
 // What is wrong with a wall of triangles is one InputError, one sentence that names the file and
 // the fact. Fails when a fault passes, another exception escapes, or the sentence lacks them.
-#include "dem/mesh_wall.h"
+#include "dem/mesh_contacts.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 
@@ -60,4 +60,16 @@ TEST_F(WallMesh, SurfacesWithoutAreaOrWithWrongCornersAreRefused)
   refused({points, {{0, 1, 2}}}, "1 without");
   refused({points, {{0, 1, 3}}}, "corner 3");
   refused({{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}, {{0, 1, 2}}}, "finite");
+}
+
+TEST_F(WallMesh, OtherContactModelsAreRefused)
+{
+  MeshWall wall = mesh_wall("hopper", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  wall.contact.model = ContactModel::hertz_mindlin;
+  Clumps clumps({});
+  std::vector<MeshWall> walls = {wall};
+  MeshContacts contacts;
+  contacts.update_list(clumps, walls);
+  ContactEnergy energy;
+  expect_refusal([&] { contacts.evaluate(clumps, walls, 1e-6, energy); }, "hopper", {"linear"});
 }

@@ -4,11 +4,9 @@
 // fail.
 #include "apps/parameter_file.h"
 
+#include "apps/case_templates.h"
 #include "apps/nearest_name.h"
 #include "apps/parameter_scanner.h"
-#include "apps/template_command.h"
-#include "coupling/parameter_table.h"
-#include "coupling/pull_out_declarations.h"
 #include "dem/input_error.h"
 #include "tests/temporary_folder.h"
 
@@ -31,12 +29,19 @@ protected:
     TemporaryFolderTest::SetUp();
     write("base.prm", apps::pull_out_template());
   }
+
+  static coupling::PullOutParameters pull_out(const fs::path& file,
+                                              const std::vector<std::string>& overrides = {})
+  {
+    return std::get<coupling::PullOutParameters>(
+        apps::read_parameter_file(file, overrides).parameters);
+  }
 };
 } // namespace
 
 TEST_F(ParameterFile, TemplateIsTheTestOfThePaper)
 {
-  const auto p = apps::read_parameter_file(folder / "base.prm").parameters;
+  const auto p = pull_out(folder / "base.prm");
   EXPECT_EQ(p.contact.stone_stiffness, 6e7); // Table 6
   EXPECT_EQ(p.contact.box_stiffness, 6e7);
   EXPECT_EQ(p.contact.geogrid_stiffness, 9.76e8);
@@ -54,32 +59,33 @@ TEST_F(ParameterFile, TemplateIsTheTestOfThePaper)
 
 TEST_F(ParameterFile, QuickCaseIsTheSameTestPulledFaster)
 {
-  const auto full = apps::read_parameter_file(cases / "pullout.prm").parameters;
-  const auto quick = apps::read_parameter_file(cases / "quick.prm").parameters;
+  const auto full = pull_out(cases / "pullout.prm");
+  const auto quick = pull_out(cases / "quick.prm");
   EXPECT_EQ(quick.pull.speed, 10 * full.pull.speed);
   EXPECT_EQ(quick.pull.distance, 0.02);
   EXPECT_EQ(quick.geogrid.youngs_modulus, full.geogrid.youngs_modulus);
   EXPECT_EQ(quick.contact.geogrid_friction, full.contact.geogrid_friction);
 }
 
-TEST_F(ParameterFile, TemplateShowsEveryEntry)
+TEST_F(ParameterFile, TemplatesShowEveryEntry)
 {
-  coupling::PullOutParameters parameters;
-  coupling::ParameterTable table;
-  coupling::declare_pull_out(table, parameters);
-  const auto scanned = apps::scan_parameter_file(folder / "base.prm");
-  for (const auto& entry : table.entries())
-    EXPECT_TRUE(std::any_of(scanned.assignments.begin(), scanned.assignments.end(),
-                            [&](const auto& set) { return set.key() == entry.key(); }))
-        << entry.key();
+  for (const apps::Experiment& experiment : apps::experiments()) {
+    apps::ExperimentParameters parameters = experiment.defaults;
+    coupling::ParameterTable table;
+    experiment.declare(table, parameters);
+    const auto scanned = apps::scan_parameter_file(write("case.prm", experiment.template_text));
+    for (const auto& entry : table.entries())
+      EXPECT_TRUE(std::any_of(scanned.assignments.begin(), scanned.assignments.end(),
+                              [&](const auto& set) { return set.key() == entry.key(); }))
+          << experiment.name << ": " << entry.key();
+  }
 }
 
 TEST_F(ParameterFile, OverridesWinInTheirOrder)
 {
-  const auto p = apps::read_parameter_file(folder / "base.prm",
-                                           {"Geogrid/Youngs modulus=1e9", "Gravity = 1.62",
-                                            "Geogrid/Youngs modulus=2e9", "Geogrid/Rigid=true"})
-                     .parameters;
+  const auto p =
+      pull_out(folder / "base.prm", {"Geogrid/Youngs modulus=1e9", "Gravity = 1.62",
+                                     "Geogrid/Youngs modulus=2e9", "Geogrid/Rigid=true"});
   EXPECT_EQ(p.geogrid.youngs_modulus, 2e9);
   EXPECT_EQ(p.gravity, 1.62);
   EXPECT_TRUE(p.geogrid.rigid);
@@ -91,7 +97,7 @@ TEST_F(ParameterFile, IncludingFileWinsOverTheIncludedOne)
                                       "subsection Geogrid\n"
                                       "  set Youngs modulus = 5e8 # a comment\n"
                                       "end\n");
-  const auto p = apps::read_parameter_file(file).parameters;
+  const auto p = pull_out(file);
   EXPECT_EQ(p.geogrid.youngs_modulus, 5e8);
   EXPECT_EQ(p.geogrid.density, 910);
 }
@@ -102,9 +108,29 @@ TEST_F(ParameterFile, FolderOfStonesIsRelativeToTheFileThatNamesIt)
   write("scans/a.stl", "solid");
   const auto file = write("scanned.prm", "include base.prm\nsubsection Stones\n"
                                          "set Folder = scans\nset Length unit = 0.001\nend\n");
-  const auto p = apps::read_parameter_file(file).parameters;
+  const auto p = pull_out(file);
   EXPECT_EQ(fs::canonical(p.stones.folder), fs::canonical(folder / "scans"));
   EXPECT_TRUE(fs::path(p.stones.folder).is_absolute());
+}
+
+TEST_F(ParameterFile, BenchmarkCasesAreOfTheSameBox)
+{
+  const fs::path folder = fs::path(INTERLOCK_SOURCE_DIR) / "cases" / "benchmark";
+  const auto packing = [&](const char* name) {
+    const auto input = apps::read_parameter_file(folder / name);
+    EXPECT_EQ(input.experiment->name, "packing");
+    return std::get<coupling::PackingParameters>(input.parameters);
+  };
+  const auto w1 = packing("w1.prm");
+  EXPECT_EQ(fs::path(w1.state.file), folder / "w1_settled.json.gz"); // relative to the case
+  EXPECT_EQ(w1.state.written, "");
+  EXPECT_EQ(w1.contact.normal_stiffness, 1e7);
+  EXPECT_NEAR(w1.contact.tangential_ratio, 2. / 3, 1e-15);
+  EXPECT_EQ(w1.time.step, 1e-5);
+  EXPECT_EQ(fs::path(packing("w2.prm").state.file), folder / "w2_settled.json.gz");
+  EXPECT_EQ(packing("w1-fine.prm").state.spheres_per_clump, 550);
+  EXPECT_EQ(packing("w1-squeezed.prm").state.squeeze, 0.009);
+  EXPECT_TRUE(packing("w1-squeezed.prm").state.hold_still);
 }
 
 TEST_F(ParameterFile, UsedParametersGiveTheSameRunAgain)
@@ -112,7 +138,7 @@ TEST_F(ParameterFile, UsedParametersGiveTheSameRunAgain)
   const auto first = apps::read_parameter_file(folder / "base.prm", {"Pull/Speed=0.0333333333333"});
   const auto again = apps::read_parameter_file(write("used.prm", first.used));
   EXPECT_EQ(again.used, first.used);
-  EXPECT_EQ(again.parameters.pull.speed, 0.0333333333333);
+  EXPECT_EQ(std::get<coupling::PullOutParameters>(again.parameters).pull.speed, 0.0333333333333);
   EXPECT_NE(first.used.find("# Speed of the front edge of the geogrid. [m/s]"), std::string::npos);
 }
 

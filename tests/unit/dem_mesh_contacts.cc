@@ -240,7 +240,7 @@ TEST(MeshContacts, SpringTurnsWithATurningWall)
     stage.meshes[0].move(dt);
     const double angle = 20 * dt * (n - 0.5); // velocity in the middle of the step
     c.step_velocity[0] = spin.cross(0.05 * Vector3(std::cos(angle), std::sin(angle), 0));
-    c.position[0] = {0.05 * std::cos(20 * dt * n), 0.05 * std::sin(20 * dt * n), 0.99 * r};
+    c.position[0] = Vector3(0.05 * std::cos(20 * dt * n), 0.05 * std::sin(20 * dt * n), 0.99 * r);
     stage.forces(dt);
   }
   ASSERT_EQ(stage.contacts.contacts().size(), 1u);

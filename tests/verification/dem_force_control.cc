@@ -157,6 +157,8 @@ TEST(ForceControl, ManyUnequalContacts)
       const double factor = 1 + 3 * (i % 5);
       c.mass[i] *= factor;
       c.inertia[i] *= factor;
+      c.inverse_mass[i] /= factor;
+      c.inverse_inertia[i] /= factor;
       c.position[i].z() -= 1e-6 * (i % 3);
     }
     press.control.force = 900;

@@ -31,7 +31,7 @@ Vector3 spin_after(const Vector3& spin, double time, int steps)
     clumps.kick(0, time / steps, Vector3::Zero(), Vector3::Zero());
     clumps.drift(0, time / steps);
   }
-  return clumps.rotation[0].transpose() * clumps.spin_of(0, clumps.angular_momentum[0]);
+  return clumps.orientation[0].conjugate() * clumps.spin_of(0, clumps.angular_momentum[0]);
 }
 } // namespace
 
@@ -63,7 +63,7 @@ TEST(FreeTop, MiddleAxisFlips)
   for (int n = 0; n * dt < 3 * period; ++n) {
     clumps.drift(0, dt);
     const double middle =
-        (clumps.rotation[0].transpose() * clumps.spin_of(0, clumps.angular_momentum[0])).y();
+        (clumps.orientation[0].conjugate() * clumps.spin_of(0, clumps.angular_momentum[0])).y();
     if (middle * old < 0) ++flips;
     old = middle;
   }

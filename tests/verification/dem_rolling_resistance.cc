@@ -252,7 +252,7 @@ TEST(RollingResistance, RemovedClumpsAndWallsAreForgotten)
     c.normal_stiffness = k;
     c.rolling.friction = 0.1;
     list.push_back(c);
-    clumps.step_spin[n] = {0, 1e-3, 0};
+    clumps.step_spin[n] = Vector3(0, 1e-3, 0);
   }
   ContactEnergy energy;
   resistance.evaluate(list, clumps, meshes, 1e-3, energy);

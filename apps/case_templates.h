@@ -1,0 +1,10 @@
+// The texts of `interlock template`: cases as they were when the program was built, so that a
+// template is a case that is run and tested. The build makes one function for each pair of
+// experiment and case that apps/CMakeLists.txt lists.
+#pragma once
+
+namespace interlock::apps
+{
+const char* pull_out_template(); // cases/pullout/pullout.prm
+const char* packing_template();  // cases/benchmark/w1.prm
+} // namespace interlock::apps

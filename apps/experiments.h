@@ -1,0 +1,44 @@
+// The experiments that `interlock run` knows: what `set Experiment = NAME` chooses from. A new one
+// is its parameters in the variant and one row in experiments.cc.
+#pragma once
+
+#include "coupling/check_parameters.h"
+#include "coupling/monitor.h"
+#include "coupling/packing_parameters.h"
+#include "coupling/parameter_table.h"
+#include "coupling/pull_out_parameters.h"
+#include "coupling/summary.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace interlock::apps
+{
+using ExperimentParameters = std::variant<coupling::PullOutParameters, coupling::PackingParameters>;
+
+// An experiment that has accepted its parameters. Writes its files into `output`, which must exist.
+using ReadyExperiment = std::function<coupling::Summary(const std::filesystem::path& output)>;
+
+struct Experiment {
+  std::string name;
+  const char* template_text;     // of `interlock template NAME`: a documented case
+  ExperimentParameters defaults; // holds the parameters of this experiment
+  // Binds the entries of its parameter file to the parameters, which must outlive the table.
+  std::function<void(coupling::ParameterTable&, ExperimentParameters&)> declare;
+  // What no single entry's range can tell.
+  std::function<std::vector<coupling::ParameterProblem>(const ExperimentParameters&)> check;
+  // Throws InputError when the parameters cannot be run; writes nothing.
+  std::function<ReadyExperiment(const ExperimentParameters&, const coupling::Monitor&)> prepare;
+  std::function<bool(const ExperimentParameters&)> draws_figures; // at the end of a run
+};
+
+const std::vector<Experiment>& experiments();
+
+// Null when there is none of this name.
+const Experiment* find_experiment(const std::string& name);
+
+std::vector<std::string> experiment_names();
+} // namespace interlock::apps

@@ -1,0 +1,22 @@
+#include "coupling/time_step.h"
+
+#include "dem/engine.h"
+#include "dem/input_error.h"
+
+#include <cstdio>
+
+namespace interlock::coupling
+{
+double choose_time_step(const TimeParameters& time, const dem::StableStep& stable)
+{
+  if (time.step == 0) return time.safety_factor * stable.step;
+  if (time.step <= stable.step) return time.step;
+  char sentence[256];
+  std::snprintf(
+      sentence, sizeof sentence,
+      "Entry Time/Step is %.3g s, above the stable step of %.3g s; the lightest stone, of "
+      "%.3g g, sets it (allowed: 0 for automatic, or up to %.3g s).",
+      time.step, stable.step, 1e3 * stable.mass, stable.step);
+  throw InputError(sentence);
+}
+} // namespace interlock::coupling

@@ -1,0 +1,22 @@
+// The time step of a run: given, or a share of the stable one.
+#pragma once
+
+namespace interlock::dem
+{
+struct StableStep;
+}
+
+namespace interlock::coupling
+{
+struct TimeParameters {
+  double step = 0;          // 0: safety factor times the stable step [s]
+  double safety_factor = 0; // share of the stable step [-]
+};
+
+// The step bound is meant for clumps with this many contacts, more than stones in a packing carry
+// on average; a live bound is watched during the run.
+constexpr int expected_contacts = 8;
+
+// [s]. Throws InputError, one full sentence, when the given step is above the stable one.
+double choose_time_step(const TimeParameters& time, const dem::StableStep& stable);
+} // namespace interlock::coupling

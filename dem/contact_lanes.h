@@ -1,0 +1,75 @@
+// The contacts about to touch as flat arrays, one lane a contact, padded to whole registers.
+#pragma once
+
+#include "dem/clumps.h"
+#include "dem/contact_law.h"
+#include "dem/wall.h"
+
+namespace interlock::dem
+{
+// Names one contact: member sphere `a` of clump `i` against member `b` of clump `j` > i, or against
+// wall `j` (b = 0).
+struct ContactKey {
+  int i = 0, j = 0, a = 0, b = 0;
+};
+
+// Lanes [begin, end) of one wall; begin is a multiple of the lane width.
+struct WallSegment {
+  int begin = 0, end = 0;
+};
+
+// Entries that cannot touch fill up registers. Histories and forces are those of the last
+// evaluation.
+class ContactLanes
+{
+public:
+  int size() const { return overlap.size(); }
+  void resize(int n);
+
+  std::vector<int> i, j, a, b;                    // see ContactKey
+  VectorField centre1, centre2{Vector3::UnitX()}; // of the member spheres, body frames [m]
+  ScalarField radius1{never_touching()}, radius2; // [m]
+  ScalarField reduced_mass{one()}, root_mass{one()}, reduced_radius{one()}; // ContactConstants
+  ScalarField next_share{one()}; // of stiffness and dashpots at the next evaluation [-]
+
+  // LaneHistory.
+  VectorField spring, dashpot;
+  ScalarField overlap, tangential_stiffness, share;
+
+  // On the clump i, world; torques about the centres of mass of i and of j [N], [N m].
+  VectorField force, torque1, torque2;
+  // LaneEnergy of the last evaluation.
+  ScalarField elastic, friction, damping, sharing;
+
+  // Sets keys and constants of lane k; the history is left alone.
+  void set_pair(int k, const ContactKey& key, const Clumps& clumps);
+  void set_wall(int k, const ContactKey& key, const Clumps& clumps);
+  void copy_history(int k, const ContactLanes& from, int from_k);
+  void clear_history(int k);
+
+private:
+  static Eigen::Matrix<double, 1, 1> one() { return Eigen::Matrix<double, 1, 1>::Ones(); }
+  static Eigen::Matrix<double, 1, 1> never_touching() { return -1e3 * one(); }
+};
+
+// Forces, torques and new histories of all lanes, from the poses and the step's motion of the
+// clumps. `dt`: step over which springs advance [s].
+void evaluate_pairs(const Clumps& clumps, const ContactProperties& pair, double dt,
+                    ContactLanes& lanes);
+// The same for the lanes of one wall.
+void evaluate_wall(const Clumps& clumps, const Wall& wall, double dt, WallSegment segment,
+                   ContactLanes& lanes);
+
+// Adds forces and torques to the clumps, and energies to `energy`, in list order; returns the
+// number of touching contacts.
+int add_pair_forces(const ContactLanes& lanes, Clumps& clumps, ContactEnergy& energy);
+// The same for one wall, whose force is set, too.
+int add_wall_forces(const ContactLanes& lanes, WallSegment segment, Clumps& clumps, Wall& wall,
+                    ContactEnergy& energy);
+
+double largest_overlap(const ContactLanes& lanes); // [m]
+
+// Shares for the next step of lanes [begin, end): sum(overlap^2) / (sum overlap)^2 over the lanes
+// with the same i and j.
+void update_shares(int begin, int end, ContactLanes& lanes);
+} // namespace interlock::dem
