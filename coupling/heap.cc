@@ -1,6 +1,7 @@
 #include "coupling/heap.h"
 
 #include "dem/insertion.h"
+#include "dem/mesh_wall.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,7 @@ dem::ContactProperties properties(const HeapContactParameters& contact, double f
   pair.tangential_stiffness = contact.tangential_ratio * contact.normal_stiffness;
   pair.friction = friction;
   pair.damping_ratio = contact.damping_ratio;
+  pair.share_among_contacts = contact.share_among_contacts;
   return pair;
 }
 
@@ -78,15 +80,23 @@ Heap::Heap(const HeapParameters& parameters, const Monitor& monitor)
   engine_ = std::make_unique<dem::Engine>(std::move(shapes), properties(c, c.stone_friction),
                                           parameters.gravity);
   engine_->add_wall(floor_of(parameters.drop.floor_side, properties(c, c.floor_friction)));
+  if (!parameters.mesh_wall.file.empty()) {
+    const MeshWallParameters& m = parameters.mesh_wall;
+    dem::MeshWall wall = dem::mesh_wall("wall", dem::read_wall_mesh(m.file, m.length_unit));
+    wall.contact = properties(c, m.friction);
+    engine_->add_mesh_wall(wall);
+  }
+  engine_->set_rolling({c.rolling_friction, c.damping_ratio});
   engine_->set_local_damping(c.local_damping);
   const std::vector<double> densities(stones_.size(), parameters.stones.density);
   const dem::StableStep stable = engine_->expected_stable_step(densities, expected_contacts);
   dt_ = choose_time_step(parameters.time, stable);
   plan_ = plan_drop(stones_, parameters.drop, parameters.gravity);
   end_stage(text("%zu shapes of %.1f spheres on average, mean size %.1f mm; %zu stones let go in "
-                 "%.2f s; time step %.3g us",
+                 "%.2f s; ",
                  stones_.size(), double(spheres) / stones_.size(), 1e3 * mean_size_, plan_.size(),
-                 plan_.back().time, 1e6 * dt_));
+                 plan_.back().time) +
+            time_step_budget(dt_, stable));
 }
 
 void Heap::begin_stage(const std::string& name)
@@ -152,10 +162,8 @@ void Heap::step(double fraction)
   if (time_ >= next_record_) {
     engine_->compute_forces(dt_);
     record();
-    for (int i = 0; i < engine_->clumps().size(); ++i) {
-      engine_->kick(i, dt_);
-      engine_->clumps().drift(i, dt_);
-    }
+    engine_->kick_all(dt_);
+    engine_->drift_all(dt_);
     engine_->move_walls(dt_);
     next_record_ += parameters_.output.record_interval;
   } else {
@@ -235,7 +243,7 @@ void Heap::settle()
 
 double Heap::weight() const
 {
-  const std::vector<double>& mass = engine_->clumps().mass;
+  const dem::ScalarField& mass = engine_->clumps().mass;
   return parameters_.gravity * std::accumulate(mass.begin(), mass.end(), 0.);
 }
 } // namespace interlock::coupling

@@ -24,6 +24,25 @@ void declare_contact(ParameterTable& table, HeapContactParameters& contact)
   table.require("Local damping", contact.local_damping, {0, 1},
                 "Share of the unbalanced force taken from stones that touch something (Cundall's "
                 "local damping); a stone in free fall has none. [-]");
+  table.offer(
+      "Rolling friction", contact.rolling_friction, 0, friction,
+      "Rolling resistance of every contact, elastic-plastic; meant for stones of one sphere. "
+      "[-]");
+  table.offer(
+      "Share among contacts", contact.share_among_contacts, false,
+      "Contacts of the same two stones (or of a stone and the floor) share one stiffness and "
+      "one dashpot, so that neither grows with the number of spheres.");
+}
+
+void declare_mesh_wall(ParameterTable& table, MeshWallParameters& wall)
+{
+  table.open_section("Mesh wall");
+  table.offer_file("File", wall.file,
+                   "A fixed wall of triangles (STL, PLY, OBJ), such as a hopper, relative to this "
+                   "file; empty: none.");
+  table.offer("Length unit", wall.length_unit, 0, not_negative,
+              "Length of one unit of the file, 0.001 for millimetres; needed with a file. [m]");
+  table.offer("Friction", wall.friction, 0.5, friction, "Friction coefficient with stones. [-]");
 }
 
 void declare_drop(ParameterTable& table, DropParameters& drop)
@@ -56,6 +75,7 @@ void declare_heap(ParameterTable& table, HeapParameters& parameters)
                 "Acceleration of gravity, downwards along z. [m/s2]");
   declare_stones(table, parameters.stones);
   declare_contact(table, parameters.contact);
+  declare_mesh_wall(table, parameters.mesh_wall);
   declare_drop(table, parameters.drop);
 
   table.open_section("Measures");
@@ -89,6 +109,10 @@ std::vector<ParameterProblem> check_heap(const HeapParameters& parameters)
     problems.add("Drop/Disc radius", "The disc from which the stones fall has a radius of ",
                  drop.disc_radius, " m, but it must be smaller than half the side of the floor, ",
                  0.5 * drop.floor_side, " m.");
+  if (!parameters.mesh_wall.file.empty() && parameters.mesh_wall.length_unit <= 0)
+    problems.add("Mesh wall/Length unit",
+                 "The length of one unit of the file must be given with a "
+                 "wall of triangles, for example 0.001 m for millimetres.");
   return problems.take();
 }
 } // namespace interlock::coupling

@@ -13,6 +13,15 @@ struct HeapContactParameters {
   double floor_friction = 0;   // stone with floor [-]
   double damping_ratio = 0;    // normal and tangential dashpot, share of critical [-]
   double local_damping = 0;    // of stones that touch something (Cundall) [-]
+  double rolling_friction = 0; // of single spheres, elastic-plastic [-]
+  bool share_among_contacts = false;
+};
+
+// A fixed wall of triangles, a hopper or a step; none without a file.
+struct MeshWallParameters {
+  std::string file;       // STL, PLY or OBJ
+  double length_unit = 0; // of the file [m]
+  double friction = 0;    // with stones [-]
 };
 
 struct DropParameters {
@@ -41,6 +50,7 @@ struct HeapParameters {
   double gravity = 9.81; // along -z [m/s2]
   StoneParameters stones;
   HeapContactParameters contact;
+  MeshWallParameters mesh_wall;
   DropParameters drop;
   HeapMeasureParameters measures;
   TimeParameters time;

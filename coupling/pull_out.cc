@@ -13,13 +13,13 @@ namespace
 {
 using dem::Vector3;
 
-dem::ContactProperties pair(double k1, double k2, double friction1, double friction2,
-                            double tangential_ratio, double damping_ratio)
+dem::ContactProperties pair(double k1, double k2, double friction, double tangential_ratio,
+                            double damping_ratio)
 {
   dem::ContactProperties properties;
   properties.normal_stiffness = dem::series_stiffness(k1, k2);
   properties.tangential_stiffness = tangential_ratio * properties.normal_stiffness;
-  properties.friction = std::min(friction1, friction2);
+  properties.friction = friction;
   properties.damping_ratio = damping_ratio;
   return properties;
 }
@@ -38,12 +38,20 @@ PullOut::PullOut(const PullOutParameters& parameters, const Monitor& monitor)
   run_start_ = Clock::now();
   begin_stage("stones");
   const ContactParameters& c = parameters.contact;
-  stone_on_stone_ = pair(c.stone_stiffness, c.stone_stiffness, c.stone_friction, c.stone_friction,
-                         c.tangential_ratio, c.damping_ratio);
-  stone_on_box_ = pair(c.stone_stiffness, c.box_stiffness, c.stone_friction, c.box_friction,
+  // The friction of a pair: what was given for it, or the smaller of the two.
+  const auto friction = [](double given, double one, double other) {
+    return given >= 0 ? given : std::min(one, other);
+  };
+  stone_on_stone_ = pair(c.stone_stiffness, c.stone_stiffness, c.stone_friction, c.tangential_ratio,
+                         c.damping_ratio);
+  stone_on_box_ = pair(c.stone_stiffness, c.box_stiffness,
+                       friction(c.stone_on_box_friction, c.stone_friction, c.box_friction),
                        c.tangential_ratio, c.damping_ratio);
-  stone_on_rib_ = pair(c.stone_stiffness, c.geogrid_stiffness, c.stone_friction, c.geogrid_friction,
+  stone_on_rib_ = pair(c.stone_stiffness, c.geogrid_stiffness,
+                       friction(c.stone_on_geogrid_friction, c.stone_friction, c.geogrid_friction),
                        c.tangential_ratio, c.geogrid_damping_ratio);
+  stone_on_stone_.share_among_contacts = stone_on_box_.share_among_contacts =
+      c.share_among_contacts;
 
   std::vector<dem::ClumpShape> shapes = make_stone_shapes(parameters.stones, monitor);
   double volume = 0;
@@ -67,8 +75,7 @@ PullOut::PullOut(const PullOutParameters& parameters, const Monitor& monitor)
   dt_ = choose_time_step(parameters.time, stable);
   end_stage(std::to_string(densities.size()) + " stones of " +
             std::to_string(spheres / densities.size()) + " spheres on average, mean size " +
-            text("%.1f", 1e3 * mean_size_) + " mm; time step " + text("%.3g", 1e6 * dt_) +
-            " us, set by the lightest stone (" + text("%.1f", 1e3 * stable.mass) + " g)");
+            text("%.1f", 1e3 * mean_size_) + " mm; " + time_step_budget(dt_, stable));
 }
 
 void PullOut::begin_stage(const std::string& name)

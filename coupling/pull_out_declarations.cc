@@ -40,11 +40,20 @@ void declare_contact(ParameterTable& table, ContactParameters& contact)
                 "Friction coefficient of the walls. [-]");
   table.require("Geogrid friction", contact.geogrid_friction, friction,
                 "Friction coefficient of the ribs. [-]");
+  const Range pair_friction{-1, 5, true};
+  table.offer("Stone on box friction", contact.stone_on_box_friction, -1, pair_friction,
+              "Friction coefficient between stones and walls; -1: the smaller of the two. [-]");
+  table.offer("Stone on geogrid friction", contact.stone_on_geogrid_friction, -1, pair_friction,
+              "Friction coefficient between stones and ribs; -1: the smaller of the two. [-]");
   table.require("Tangential ratio", contact.tangential_ratio, {0, 2, false},
                 "Tangential over normal contact stiffness. [-]");
   table.require("Damping ratio", contact.damping_ratio, damping_ratio,
                 "Normal and tangential contact dashpots between stones and at walls, share of the "
                 "critical damping. [-]");
+  table.offer(
+      "Share among contacts", contact.share_among_contacts, false,
+      "Contacts of the same two stones (or of a stone and a wall) share one stiffness and one "
+      "dashpot, so that neither grows with the number of spheres.");
   table.require("Geogrid damping ratio", contact.geogrid_damping_ratio, damping_ratio,
                 "The same between a stone and a rib, on their reduced mass. [-]");
 }

@@ -33,15 +33,19 @@ struct BoxParameters {
 // Springs in series at a contact, k = k1 k2/(k1 + k2); friction of a pair is the smaller of the
 // two.
 struct ContactParameters {
-  double stone_stiffness = 0;       // [N/m]
-  double box_stiffness = 0;         // [N/m]
-  double geogrid_stiffness = 0;     // [N/m]
-  double stone_friction = 0;        // [-]
-  double box_friction = 0;          // [-]
-  double geogrid_friction = 0;      // [-]
-  double tangential_ratio = 0;      // k_t / k_n [-]
-  double damping_ratio = 0;         // normal and tangential dashpot, share of critical [-]
-  double geogrid_damping_ratio = 0; // the same at stone-rib contacts, on the reduced mass [-]
+  double stone_stiffness = 0;   // [N/m]
+  double box_stiffness = 0;     // [N/m]
+  double geogrid_stiffness = 0; // [N/m]
+  double stone_friction = 0;    // [-]
+  double box_friction = 0;      // [-]
+  double geogrid_friction = 0;  // [-]
+  // Of a pair, instead of the smaller of its two; -1: not given [-].
+  double stone_on_box_friction = -1;
+  double stone_on_geogrid_friction = -1;
+  double tangential_ratio = 0;       // k_t / k_n [-]
+  double damping_ratio = 0;          // normal and tangential dashpot, share of critical [-]
+  bool share_among_contacts = false; // ContactProperties, between stones and at walls
+  double geogrid_damping_ratio = 0;  // the same at stone-rib contacts, on the reduced mass [-]
 };
 
 struct GeogridParameters {

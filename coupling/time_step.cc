@@ -19,4 +19,17 @@ double choose_time_step(const TimeParameters& time, const dem::StableStep& stabl
       time.step, stable.step, 1e3 * stable.mass, stable.step);
   throw InputError(sentence);
 }
+
+std::string time_step_budget(double step, const dem::StableStep& stable)
+{
+  char sentence[320];
+  std::snprintf(
+      sentence, sizeof sentence,
+      "time step %.3g us = %.3g x the stable step of %.3g us: shape %lld of %.3g g with %d "
+      "contacts of %.3g N/m, of whose mobility rotation makes %.0f %%",
+      1e6 * step, step / stable.step, 1e6 * stable.step,
+      static_cast<long long>(stable.clump_id) + 1, 1e3 * stable.mass, stable.contacts,
+      stable.stiffness, 100 * stable.rotation_share);
+  return sentence;
+}
 } // namespace interlock::coupling

@@ -26,8 +26,8 @@ public:
   int size() const { return overlap.size(); }
   void resize(int n);
 
-  // See ContactKey. Indices as wide as a double: narrower ones make the compiler work on twice as many
-  // lanes at a time, more than there are registers for.
+  // See ContactKey. Indices as wide as a double: narrower ones make the compiler work on twice as
+  // many lanes at a time, more than there are registers for.
   std::vector<std::int64_t> i, j;
   std::vector<int> a, b;
   VectorField centre1, centre2{Vector3::UnitX()}; // of the member spheres, body frames [m]

@@ -38,8 +38,12 @@ std::vector<int> Engine::remove_clumps(const std::vector<bool>& remove)
     if (remove[c.i] || remove[c.j]) inserted_ -= elastic_energy(c);
   for (const WallContact& c : wall_contacts())
     if (remove[c.i]) inserted_ -= elastic_energy(c);
+  for (const MeshContact& c : mesh_contacts_.contacts())
+    if (remove[c.i]) inserted_ -= MeshContacts::elastic_energy(c, mesh_walls_[c.wall].contact);
   const std::vector<int> new_index = clumps_.remove(remove);
   lists_.renumber_clumps(new_index);
+  mesh_contacts_.renumber_clumps(new_index);
+  rolling_.renumber_clumps(new_index);
   return new_index;
 }
 
@@ -55,6 +59,7 @@ void Engine::replace_walls(int first, const std::vector<Wall>& walls)
   for (const WallContact& c : wall_contacts())
     if (c.wall >= first) inserted_ -= elastic_energy(c);
   lists_.forget_walls(first);
+  rolling_.forget_walls(1, first);
   walls_.resize(first);
   for (const Wall& wall : walls) walls_.push_back(wall);
   // What the new walls store from the start was put in by nobody's work: book it.
@@ -89,8 +94,38 @@ void Engine::compute_forces(double dt)
     add_wall_forces(at_walls, segment, clumps_, wall, contact_energy_);
     wall_work_ -= dt * wall.force.dot(wall.velocity);
   }
+  if (!mesh_walls_.empty()) {
+    mesh_contacts_.update_list(clumps_, mesh_walls_);
+    mesh_contacts_.evaluate(clumps_, mesh_walls_, dt, contact_energy_);
+  }
+  if (rolling_properties_.friction > 0) resist_rolling(dt);
   profile_.lists += seconds(start, listed);
   profile_.contacts += seconds(listed, Clock::now());
+}
+
+void Engine::resist_rolling(double dt)
+{
+  std::vector<RollingContact> contacts;
+  append_rolling(sphere_contacts(), clumps_, stone_on_stone_.normal_stiffness, rolling_properties_,
+                 contacts);
+  append_rolling(wall_contacts(), clumps_, walls_, rolling_properties_, contacts);
+  append_rolling(mesh_contacts_.contacts(), clumps_, mesh_walls_, rolling_properties_, contacts);
+  rolling_.evaluate(std::move(contacts), clumps_, mesh_walls_, dt, contact_energy_);
+}
+
+int Engine::add_mesh_wall(const MeshWall& wall)
+{
+  mesh_walls_.push_back(wall);
+  // A look at the new wall alone, for what it stores at once.
+  MeshContacts look;
+  std::vector<MeshWall> alone = {wall};
+  Clumps clumps = clumps_;
+  ContactEnergy stored;
+  look.update_list(clumps, alone);
+  look.evaluate(clumps, alone, 0, stored);
+  inserted_ += stored.elastic;
+  mesh_contacts_.invalidate();
+  return static_cast<int>(mesh_walls_.size()) - 1;
 }
 
 void Engine::kick_all(double dt, const VectorField* other_force, const VectorField* other_torque)
@@ -148,6 +183,7 @@ void Engine::drift_all(double dt, const ScalarField* held)
 void Engine::move_walls(double dt)
 {
   for (Wall& wall : walls_) wall.corner += dt * wall.velocity;
+  for (MeshWall& wall : mesh_walls_) wall.move(dt);
 }
 
 void Engine::step(double dt)
@@ -175,8 +211,10 @@ void Engine::reset_profile()
 
 double Engine::largest_overlap() const
 {
-  return std::max(dem::largest_overlap(lists_.pair_lanes()),
-                  dem::largest_overlap(lists_.wall_lanes()));
+  double largest = std::max(dem::largest_overlap(lists_.pair_lanes()),
+                            dem::largest_overlap(lists_.wall_lanes()));
+  for (const MeshContact& c : mesh_contacts_.contacts()) largest = std::max(largest, c.depth);
+  return largest;
 }
 
 double Engine::body_energy(int i) const
@@ -200,6 +238,7 @@ EngineEnergy Engine::energy(double dt) const
   e.contact = contact_energy_;
   e.local_damping = local_damping_loss_;
   e.wall_work = wall_work_;
+  for (const MeshWall& wall : mesh_walls_) e.wall_work += wall.work();
   e.inserted = inserted_;
   return e;
 }

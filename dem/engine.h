@@ -9,8 +9,10 @@
 // (coupling/staggered_step.h). How it works: docs/theory/engine.md.
 #pragma once
 
+#include "dem/mesh_contacts.h"
 #include "dem/neighbour_lists.h"
 #include "dem/rib_contacts.h"
+#include "dem/rolling_resistance.h"
 
 #include <optional>
 
@@ -32,8 +34,10 @@ struct EngineEnergy {
 struct StableStep {
   double step = 0; // [s]
   std::int64_t clump_id = -1;
-  double mass = 0;  // of that clump [kg]
-  int contacts = 0; // of that clump
+  double mass = 0;           // of that clump [kg]
+  int contacts = 0;          // of that clump
+  double stiffness = 0;      // mean of its contacts [N/m]
+  double rotation_share = 0; // of its mobility at the contacts, the rest is translation [-]
 };
 
 // A contact between member `a` of clump i and member `b` of clump j > i, as it was at the last
@@ -92,6 +96,17 @@ public:
   // Replaces all walls from index `first` on; their contacts start anew.
   void replace_walls(int first, const std::vector<Wall>& walls);
 
+  // Walls of triangles (theory/walls.md). What a new one stores from the start, where it overlaps
+  // clumps, is booked as inserted. Change their motion between compute_forces and move_walls.
+  int add_mesh_wall(const MeshWall& wall);
+  std::vector<MeshWall>& mesh_walls() { return mesh_walls_; }
+  const std::vector<MeshWall>& mesh_walls() const { return mesh_walls_; }
+  const std::vector<MeshContact>& mesh_contacts() const { return mesh_contacts_.contacts(); }
+
+  // Rolling resistance at every contact but those with ribs; meant for single spheres. Linear
+  // contact model only.
+  void set_rolling(const RollingProperties& rolling) { rolling_properties_ = rolling; }
+
   // Contact forces and torques (without gravity) at the present poses, in clumps().force and
   // .torque. `dt` is the step over which tangential springs advance [s].
   void compute_forces(double dt);
@@ -148,11 +163,16 @@ private:
   double elastic_energy(const SphereContact& contact) const;
   double elastic_energy(const WallContact& contact) const;
   double body_energy(int clump) const;
+  void resist_rolling(double dt);
   void damp_locally(double dt, const VectorField* other_force, const VectorField* other_torque);
 
   Clumps clumps_;
   std::vector<Wall> walls_;
+  std::vector<MeshWall> mesh_walls_;
   NeighbourLists lists_;
+  MeshContacts mesh_contacts_;
+  RollingProperties rolling_properties_;
+  RollingResistance rolling_;
   ContactProperties stone_on_stone_;
   double gravity_;
   ContactEnergy contact_energy_;

@@ -121,12 +121,14 @@ double Engine::elastic_energy(const WallContact& c) const
 
 StableStep Engine::stable_step(const RibContacts* ribs) const
 {
-  std::vector<double> rate(clumps_.size(), 0.); // bound of omega^2 [1/s2]
+  std::vector<double> rate(clumps_.size(), 0.);      // bound of omega^2 [1/s2]
+  std::vector<double> stiffness(clumps_.size(), 0.); // sums [N/m]
   std::vector<int> contacts(clumps_.size(), 0);
-  auto add = [&](int i, const Vector3& point, double stiffness) {
+  auto add = [&](int i, const Vector3& point, double k) {
     const Vector3 arm =
         clumps_.orientation[i].conjugate()._transformVector(point - clumps_.position[i]);
-    rate[i] += stiffness * largest_mobility(arm, clumps_.mass[i], clumps_.inertia[i]);
+    stiffness[i] += k;
+    rate[i] += k * largest_mobility(arm, clumps_.mass[i], clumps_.inertia[i]);
     ++contacts[i];
   };
   const auto radius = [&](int i, int a) { return clumps_.shape_of(i).spheres[a].radius; };
@@ -140,6 +142,8 @@ StableStep Engine::stable_step(const RibContacts* ribs) const
   for (const WallContact& c : wall_contacts())
     if (c.touching)
       add(c.i, c.point, largest_stiffness(walls_[c.wall].contact, c.overlap, radius(c.i, c.a)));
+  for (const MeshContact& c : mesh_contacts_.contacts())
+    add(c.i, c.point, largest_stiffness(mesh_walls_[c.wall].contact, c.depth, radius(c.i, c.a)));
   if (ribs)
     for (const RibContact& c : ribs->contacts())
       if (c.overlap > 0) add(c.i, c.point, largest_stiffness(ribs->properties(), c.overlap, 0));
@@ -149,7 +153,12 @@ StableStep Engine::stable_step(const RibContacts* ribs) const
   for (int i = 0; i < clumps_.size(); ++i)
     if (rate[i] > largest) {
       largest = rate[i];
-      limit = {2 / std::sqrt(2 * rate[i]), clumps_.id[i], clumps_.mass[i], contacts[i]};
+      limit = {2 / std::sqrt(2 * rate[i]),
+               clumps_.id[i],
+               clumps_.mass[i],
+               contacts[i],
+               stiffness[i] / contacts[i],
+               1 - stiffness[i] / clumps_.mass[i] / rate[i]};
     }
   return limit;
 }
@@ -174,7 +183,12 @@ StableStep Engine::expected_stable_step(const std::vector<double>& densities, in
     const double rate = n_contacts * largest_stiffness(stone_on_stone_, 0, 0) * mobility;
     if (rate > largest) {
       largest = rate;
-      limit = {2 / std::sqrt(2 * rate), static_cast<std::int64_t>(s), mass, n_contacts};
+      limit = {2 / std::sqrt(2 * rate),
+               static_cast<std::int64_t>(s),
+               mass,
+               n_contacts,
+               largest_stiffness(stone_on_stone_, 0, 0),
+               1 - 1 / (mass * mobility)};
     }
   }
   return limit;
