@@ -15,7 +15,7 @@ using BoostPoint = bg::model::point<double, 3, bg::cs::cartesian>;
 using BoostBox = bg::model::box<BoostPoint>;
 
 // Skins last about this many steps at the present speed.
-constexpr double inner_steps = 25, middle_steps = 400, outer_steps = 3000;
+constexpr double inner_steps = 60, middle_steps = 400, outer_steps = 3000;
 // In units of the mean bounding radius of the clumps.
 constexpr double inner_least = 8e-5, inner_widest = 1e-2, middle_least = 0.005,
                  middle_widest = 0.08, outer_least = 0.16, outer_widest = 0.6;

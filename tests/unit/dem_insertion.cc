@@ -41,7 +41,13 @@ Vector3 place(RandomStream& random)
   return {random.uniform(0, 0.12), random.uniform(0, 0.12), random.uniform(0, 0.12)};
 }
 
-const ContactProperties contact{1e6, 1e6, 0.5, 0.1};
+const ContactProperties contact = [] {
+  ContactProperties pair;
+  pair.normal_stiffness = pair.tangential_stiffness = 1e6;
+  pair.friction = 0.5;
+  pair.damping_ratio = 0.1;
+  return pair;
+}();
 } // namespace
 
 TEST(Insertion, AgreesWithAllPairsOfSpheres)
