@@ -73,7 +73,8 @@ TEST(NeighbourLists, MissNothing)
     if (n % 50 != 0) continue;
     engine.compute_forces(0);
     ASSERT_EQ(engine.n_touching_spheres(), engine.count_overlaps_brute_force()) << "step " << n;
-    const auto on_wall = std::count_if(engine.wall_contacts().begin(), engine.wall_contacts().end(),
+    const std::vector<WallContact> at_wall = engine.wall_contacts();
+    const auto on_wall = std::count_if(at_wall.begin(), at_wall.end(),
                                        [](const WallContact& c) { return c.touching; });
     ASSERT_EQ(on_wall, wall_overlaps_brute_force(engine)) << "step " << n;
     if (engine.n_touching_spheres() > 50) ++checks_with_contacts;
@@ -105,6 +106,25 @@ TEST(NeighbourLists, RebuildingChangesNoDigit)
     ASSERT_EQ(lazy.clumps().position[i], eager.clumps().position[i]) << "clump " << i;
     ASSERT_EQ(lazy.clumps().angular_momentum[i], eager.clumps().angular_momentum[i])
         << "clump " << i;
+  }
+}
+
+// Neither does any width of the skins.
+TEST(NeighbourLists, SkinsChangeNoDigit)
+{
+  Engine reference = crowd(7);
+  for (int n = 0; n < 500; ++n) reference.step(2e-5);
+  for (const ListSettings& skins :
+       {ListSettings{1e-6, 1e-4}, ListSettings{1e-4, 1e-3}, ListSettings{5e-4, 2e-3}}) {
+    Engine engine = crowd(7);
+    engine.set_list_settings(skins);
+    for (int n = 0; n < 500; ++n) engine.step(2e-5);
+    ASSERT_EQ(engine.n_touching_spheres(), reference.n_touching_spheres());
+    for (int i = 0; i < engine.clumps().size(); ++i) {
+      ASSERT_EQ(engine.clumps().position[i], reference.clumps().position[i]) << "clump " << i;
+      ASSERT_EQ(engine.clumps().angular_momentum[i], reference.clumps().angular_momentum[i]);
+    }
+    EXPECT_EQ(engine.energy(2e-5).contact.damping, reference.energy(2e-5).contact.damping);
   }
 }
 

@@ -59,7 +59,8 @@ Outcome press(const Vector3& centre, double radius)
   RibContacts contacts(elastic(1e6));
   const std::vector<Rib> ribs = cross();
   contacts.update_list(clumps, ribs, 1e-6);
-  std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+  VectorField force, torque;
+  force.resize(1), torque.resize(1);
   ContactEnergy energy;
   Outcome result;
   result.wrenches = contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy);
@@ -110,7 +111,8 @@ TEST(Ribs, OneContactWhereRodsOfALineMeet)
                                  rib({0.01, 0, 0}, {0.02, 0, 0}, 0)};
   RibContacts contacts(elastic(1e6));
   contacts.update_list(clumps, ribs, 1e-6);
-  std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+  VectorField force, torque;
+  force.resize(1), torque.resize(1);
   ContactEnergy energy;
   EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
   EXPECT_NEAR(force[0].z(), 1e6 * 0.25e-3, 1e-9);
@@ -148,7 +150,8 @@ TEST(Ribs, ListSeesNewClumps)
   clumps.add(0, 2650, {0.015, 0, 6e-3}, Quaternion::Identity());
   contacts.update_list(clumps, ribs, 1e-6);
   ASSERT_EQ(contacts.near_clumps(), std::vector<int>{1});
-  std::vector<Vector3> force(2, Vector3::Zero()), torque(2, Vector3::Zero());
+  VectorField force, torque;
+  force.resize(2), torque.resize(2);
   ContactEnergy energy;
   EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
 }
@@ -162,7 +165,8 @@ TEST(Ribs, SharpEdgesAreMergedToo)
   for (Rib& r : ribs) r.rounding = 0;
   RibContacts contacts(elastic(1e6));
   contacts.update_list(clumps, ribs, 1e-6);
-  std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+  VectorField force, torque;
+  force.resize(1), torque.resize(1);
   ContactEnergy energy;
   EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
 }
@@ -210,7 +214,8 @@ TEST(Ribs, NoEnergyAppearsWhereTheLinesOfAJunctionPart)
     clumps.position[0] += move;
     clumps.velocity[0] = clumps.drift_velocity[0] = move / step;
     contacts.update_list(clumps, ribs, step);
-    std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+    VectorField force, torque;
+    force.resize(1), torque.resize(1);
     most = std::max(most, contacts.evaluate(clumps, ribs, step, force, torque, energy).size());
     if (k == 0)
       stored = energy.elastic;
@@ -244,7 +249,8 @@ TEST(Ribs, LoadsAreTheGradientOfTheEnergy)
     clumps.add(0, 2650, x, Quaternion::Identity());
     RibContacts contacts(elastic(k));
     contacts.update_list(clumps, {r}, 1e-6);
-    std::vector<Vector3> force(1, Vector3::Zero()), torque(1, Vector3::Zero());
+    VectorField force, torque;
+    force.resize(1), torque.resize(1);
     ContactEnergy stored;
     const auto& wrenches = contacts.evaluate(clumps, {r}, 1e-6, force, torque, stored);
     ASSERT_EQ(wrenches.size(), 1u);
