@@ -28,8 +28,8 @@ void declare_contact(ParameterTable& table, HeapContactParameters& contact)
       "Rolling friction", contact.rolling_friction, 0, friction,
       "Rolling resistance of every contact, elastic-plastic; meant for stones of one sphere. "
       "[-]");
-  table.offer(
-      "Share among contacts", contact.share_among_contacts, false,
+  table.require(
+      "Share among contacts", contact.share_among_contacts,
       "Contacts of the same two stones (or of a stone and the floor) share one stiffness and "
       "one dashpot, so that neither grows with the number of spheres.");
 }

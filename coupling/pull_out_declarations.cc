@@ -50,8 +50,8 @@ void declare_contact(ParameterTable& table, ContactParameters& contact)
   table.require("Damping ratio", contact.damping_ratio, damping_ratio,
                 "Normal and tangential contact dashpots between stones and at walls, share of the "
                 "critical damping. [-]");
-  table.offer(
-      "Share among contacts", contact.share_among_contacts, false,
+  table.require(
+      "Share among contacts", contact.share_among_contacts,
       "Contacts of the same two stones (or of a stone and a wall) share one stiffness and one "
       "dashpot, so that neither grows with the number of spheres.");
   table.require("Geogrid damping ratio", contact.geogrid_damping_ratio, damping_ratio,

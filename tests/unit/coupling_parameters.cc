@@ -81,6 +81,8 @@ TEST_F(Entries, FillOneMemberEach)
       {"Contact/Stone friction", &p.contact.stone_friction},
       {"Contact/Box friction", &p.contact.box_friction},
       {"Contact/Geogrid friction", &p.contact.geogrid_friction},
+      {"Contact/Stone on box friction", &p.contact.stone_on_box_friction},
+      {"Contact/Stone on geogrid friction", &p.contact.stone_on_geogrid_friction},
       {"Contact/Tangential ratio", &p.contact.tangential_ratio},
       {"Contact/Damping ratio", &p.contact.damping_ratio},
       {"Contact/Geogrid damping ratio", &p.contact.geogrid_damping_ratio},
@@ -115,7 +117,7 @@ TEST_F(Entries, FillOneMemberEach)
       {"Geogrid/Elements per rib", &p.geogrid.elements_per_rib},
       {"Output/Records", &p.output.records},
       {"Output/Field frames", &p.output.field_frames}};
-  const std::size_t others = 7; // 2 seeds, 2 truth values, folder, placement, mass properties
+  const std::size_t others = 8; // 2 seeds, 3 truth values, folder, placement, mass properties
   EXPECT_EQ(table.entries().size(), numbers.size() + counts.size() + others);
 
   // A different value for each, inside every range; only then are they compared.
@@ -183,7 +185,8 @@ TEST_F(Entries, AreDocumentedSentencesWithUnits)
   }
 }
 
-// Only what chooses a seed, a numerical setting or an output may be left out.
+// Only what chooses a seed, a numerical setting or an output may be left out, and what replaces a
+// value that follows from others.
 TEST_F(Entries, HaveDefaultsOnlyWherePhysicsDoesNotDependOnThem)
 {
   const std::set<std::string> may_be_left_out = {"Stones/Folder",
@@ -193,6 +196,8 @@ TEST_F(Entries, HaveDefaultsOnlyWherePhysicsDoesNotDependOnThem)
                                                  "Stones/Max spheres",
                                                  "Filling/Seed",
                                                  "Stones/Mass properties",
+                                                 "Contact/Stone on box friction",
+                                                 "Contact/Stone on geogrid friction",
                                                  "Time/Step",
                                                  "Time/Safety factor",
                                                  "Output/Report",
