@@ -30,9 +30,15 @@ template <class... Values> std::string text(const char* format, Values... values
 dem::ContactProperties properties(const PackedContactParameters& contact)
 {
   dem::ContactProperties pair;
+  if (contact.model == "hertz-mindlin") {
+    const dem::Elastic stone{contact.youngs_modulus, contact.poisson_ratio};
+    pair = dem::hertz_mindlin_pair(stone, stone, contact.friction, contact.damping_ratio);
+  }
   pair.normal_stiffness = contact.normal_stiffness;
   pair.tangential_stiffness = contact.tangential_ratio * contact.normal_stiffness;
   pair.friction = contact.friction;
+  pair.damping_ratio = contact.damping_ratio;
+  pair.share_among_contacts = contact.share_among_contacts;
   pair.normal_damping_rate = contact.normal_damping_rate;
   pair.tangential_damping_rate = contact.tangential_damping_rate;
   return pair;
@@ -88,14 +94,21 @@ Packing::Packing(const PackingParameters& parameters, const Monitor& monitor)
   engine_ = std::make_unique<dem::Engine>(state_.shapes, properties(parameters.contact),
                                           parameters.gravity);
   const std::vector<double> densities(state_.shapes.size(), state_.density);
-  dt_ = choose_time_step(parameters.time,
-                         engine_->expected_stable_step(densities, expected_contacts));
+  dt_ = parameters.contact.model == "linear"
+            ? choose_time_step(parameters.time,
+                               engine_->expected_stable_step(densities, expected_contacts))
+            : parameters.time.step;
   engine_->set_list_settings({parameters.lists.inner_skin, parameters.lists.middle_skin});
   build();
   const dem::Clumps& clumps = engine_->clumps();
   for (int i = 0; i < clumps.size(); ++i) weight_ += clumps.mass[i] * parameters.gravity;
   end_stage(text("%d stones of %.0f spheres on average, weight %.1f N; time step %.3g us",
                  clumps.size(), double(clumps.n_spheres()) / clumps.size(), weight_, 1e6 * dt_));
+  const double stable = engine_->stable_step().step;
+  if (stable > 0 && dt_ > stable)
+    warn(text(
+        "The time step of %.3g us is above the stable step of %.3g us of the state's contacts.",
+        1e6 * dt_, 1e6 * stable));
 }
 
 void Packing::build()

@@ -42,10 +42,26 @@ void declare_state(ParameterTable& table, PackedStateParameters& state)
 void declare_contact(ParameterTable& table, PackedContactParameters& contact)
 {
   table.open_section("Contact");
-  table.require("Normal stiffness", contact.normal_stiffness, positive,
-                "Normal stiffness of a contact of two spheres, or of a sphere and a wall. [N/m]");
+  table.require_choice("Model", contact.model, {"linear", "hertz-mindlin"},
+                       "Linear springs, or Hertz's and Mindlin's stiffnesses from the radii of the "
+                       "two spheres and the elastic constants.");
+  table.offer("Youngs modulus", contact.youngs_modulus, 0, not_negative,
+              "Young's modulus of stones and walls; needed with hertz-mindlin. [Pa]");
+  table.offer("Poisson ratio", contact.poisson_ratio, 0.25, {0, 0.5, true},
+              "Poisson's ratio of stones and walls, for hertz-mindlin. [-]");
+  table.offer(
+      "Damping ratio", contact.damping_ratio, 0, {0, 1, true},
+      "Normal and tangential dashpots, share of the critical damping, beside the rates. [-]");
+  table.require(
+      "Share among contacts", contact.share_among_contacts,
+      "Contacts of the same two stones (or of a stone and a wall) share one stiffness and "
+      "one dashpot, so that neither grows with the number of spheres.");
+  table.require(
+      "Normal stiffness", contact.normal_stiffness, positive,
+      "Normal stiffness of a contact of two spheres, or of a sphere and a wall; of the linear "
+      "model. [N/m]");
   table.require("Tangential ratio", contact.tangential_ratio, {0, 2, false},
-                "Tangential over normal contact stiffness. [-]");
+                "Tangential over normal contact stiffness, of the linear model. [-]");
   table.require("Friction", contact.friction, {0, 5, true}, "Friction coefficient. [-]");
   table.require("Normal damping rate", contact.normal_damping_rate, not_negative,
                 "Normal dashpot over the reduced mass of the two clumps. [1/s]");
@@ -111,6 +127,13 @@ std::vector<ParameterProblem> check_packing(const PackingParameters& parameters)
     problems.add("Packing/Hold still",
                  "Stones that are held still cannot be thrown; set Throw speed and Throw spin to 0 "
                  "or Hold still to false.");
+  if (parameters.contact.model == "hertz-mindlin" && parameters.contact.youngs_modulus <= 0)
+    problems.add("Contact/Youngs modulus",
+                 "Young's modulus must be given with hertz-mindlin contacts, for example 5e10 Pa.");
+  if (parameters.contact.model == "hertz-mindlin" && parameters.time.step <= 0)
+    problems.add("Time/Step", "The time step must be given with hertz-mindlin contacts, whose "
+                              "stiffness is not known before they are loaded; the run compares it "
+                              "with the stable step.");
   check_written_file(state, problems);
   // Steps with a record or a check are not timed.
   const double looks = double(parameters.records) + state.missed_contact_checks;

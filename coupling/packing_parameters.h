@@ -28,6 +28,11 @@ struct PackedContactParameters {
   double friction = 0;                // [-]
   double normal_damping_rate = 0;     // dashpot = rate * reduced mass of the clumps [1/s]
   double tangential_damping_rate = 0; // [1/s]
+  std::string model = "linear";       // linear | hertz-mindlin
+  double youngs_modulus = 0;          // of the stones and walls, hertz-mindlin [Pa]
+  double poisson_ratio = 0;           // the same [-]
+  double damping_ratio = 0;           // of both models, beside the rates [-]
+  bool share_among_contacts = false;  // dem::ContactProperties
 };
 
 struct NeighbourListParameters {
