@@ -54,7 +54,7 @@ void check_ribs(const GeogridParameters& geogrid, ParameterProblems& problems)
 void check_surcharge(const SurchargeParameters& surcharge, const BoxParameters& box,
                      ParameterProblems& problems)
 {
-  if (surcharge.force <= 0) return;
+  if (surcharge.force <= 0 || surcharge.kind != "spheres") return;
   const double largest = 0.5 * std::min(box.length, box.width);
   if (surcharge.sphere_radius <= 0 || surcharge.sphere_radius > largest)
     problems.add("Surcharge/Sphere radius", "The spheres of the surcharge have a radius of ",

@@ -11,28 +11,16 @@ using dem::Vector3;
 
 // The walls reach far above the box: they are the hopper too.
 constexpr double hopper_height = 10; // [m]
-
-dem::Wall rectangle(const std::string& name, const Vector3& corner, const Vector3& edge1,
-                    const Vector3& edge2, const dem::ContactProperties& contact)
-{
-  dem::Wall wall;
-  wall.name = name;
-  wall.corner = corner;
-  wall.edge1 = edge1;
-  wall.edge2 = edge2;
-  wall.contact = contact;
-  return wall;
-}
 } // namespace
 
 void build_box(dem::Engine& engine, const BoxParameters& box, const dem::ContactProperties& contact)
 {
   const Vector3 x(box.length, 0, 0), y(0, box.width, 0), z(0, 0, hopper_height), origin(0, 0, 0);
-  engine.add_wall(rectangle("floor", origin, x, y, contact));
-  engine.add_wall(rectangle("back", x, y, z, contact));
-  engine.add_wall(rectangle("right", origin, x, z, contact));
-  engine.add_wall(rectangle("left", y, x, z, contact));
-  engine.add_wall(rectangle("front", origin, y, z, contact));
+  engine.add_wall(dem::rectangle_wall("floor", origin, x, y, contact));
+  engine.add_wall(dem::rectangle_wall("back", x, y, z, contact));
+  engine.add_wall(dem::rectangle_wall("right", origin, x, z, contact));
+  engine.add_wall(dem::rectangle_wall("left", y, x, z, contact));
+  engine.add_wall(dem::rectangle_wall("front", origin, y, z, contact));
 }
 
 void open_slot(dem::Engine& engine, const BoxParameters& box, const dem::ContactProperties& contact,
@@ -40,10 +28,11 @@ void open_slot(dem::Engine& engine, const BoxParameters& box, const dem::Contact
 {
   const Vector3 y(0, box.width, 0);
   const double bottom = height - 0.5 * box.slot_height, top = height + 0.5 * box.slot_height;
-  engine.replace_walls(BoxWalls::front, {rectangle("front below slot", Vector3(0, 0, 0), y,
-                                                   Vector3(0, 0, bottom), contact),
-                                         rectangle("front above slot", Vector3(0, 0, top), y,
-                                                   Vector3(0, 0, hopper_height - top), contact)});
+  engine.replace_walls(
+      BoxWalls::front,
+      {dem::rectangle_wall("front below slot", Vector3(0, 0, 0), y, Vector3(0, 0, bottom), contact),
+       dem::rectangle_wall("front above slot", Vector3(0, 0, top), y,
+                           Vector3(0, 0, hopper_height - top), contact)});
 }
 
 Filling::Filling(dem::Engine& engine, const BoxParameters& box, const FillingParameters& filling,

@@ -26,24 +26,14 @@ template <class... Values> std::string text(const char* format, Values... values
 
 dem::ContactProperties properties(const HeapContactParameters& contact, double friction)
 {
-  dem::ContactProperties pair;
-  pair.normal_stiffness = contact.normal_stiffness;
-  pair.tangential_stiffness = contact.tangential_ratio * contact.normal_stiffness;
-  pair.friction = friction;
-  pair.damping_ratio = contact.damping_ratio;
-  pair.share_among_contacts = contact.share_among_contacts;
-  return pair;
+  return contact_pair(contact.model, contact.normal_stiffness,
+                      contact.tangential_ratio * contact.normal_stiffness, friction);
 }
 
 dem::Wall floor_of(double side, const dem::ContactProperties& contact)
 {
-  dem::Wall floor;
-  floor.name = "floor";
-  floor.corner = {-0.5 * side, -0.5 * side, 0};
-  floor.edge1 = {side, 0, 0};
-  floor.edge2 = {0, side, 0};
-  floor.contact = contact;
-  return floor;
+  return dem::rectangle_wall("floor", {-0.5 * side, -0.5 * side, 0}, {side, 0, 0}, {0, side, 0},
+                             contact);
 }
 
 std::vector<std::string> history_columns()
@@ -86,17 +76,18 @@ Heap::Heap(const HeapParameters& parameters, const Monitor& monitor)
     wall.contact = properties(c, m.friction);
     engine_->add_mesh_wall(wall);
   }
-  engine_->set_rolling({c.rolling_friction, c.damping_ratio});
+  engine_->set_rolling({c.rolling_friction, c.model.damping_ratio});
   engine_->set_local_damping(c.local_damping);
   const std::vector<double> densities(stones_.size(), parameters.stones.density);
-  const dem::StableStep stable = engine_->expected_stable_step(densities, expected_contacts);
-  dt_ = choose_time_step(parameters.time, stable);
+  dt_ = choose_time_step(c.model, parameters.time, *engine_, densities);
   plan_ = plan_drop(stones_, parameters.drop, parameters.gravity);
   end_stage(text("%zu shapes of %.1f spheres on average, mean size %.1f mm; %zu stones let go in "
                  "%.2f s; ",
                  stones_.size(), double(spheres) / stones_.size(), 1e3 * mean_size_, plan_.size(),
                  plan_.back().time) +
-            time_step_budget(dt_, stable));
+            (c.model.linear() ? time_step_budget(dt_, engine_->expected_stable_step(
+                                                          densities, expected_contacts))
+                              : text("time step %.3g us", 1e6 * dt_)));
 }
 
 void Heap::begin_stage(const std::string& name)

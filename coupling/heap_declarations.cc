@@ -2,6 +2,8 @@
 
 #include "coupling/stone_declarations.h"
 
+#include <filesystem>
+
 namespace interlock::coupling
 {
 namespace
@@ -11,16 +13,17 @@ const Range friction{0, 5, true};
 void declare_contact(ParameterTable& table, HeapContactParameters& contact)
 {
   table.open_section("Contact");
-  table.require("Normal stiffness", contact.normal_stiffness, positive,
-                "Normal stiffness of a contact, of two stones or of a stone and the floor. [N/m]");
+  declare_contact_model(table, contact.model);
+  table.require(
+      "Normal stiffness", contact.normal_stiffness, positive,
+      "Normal stiffness of a contact, of two stones or of a stone and the floor; of the linear "
+      "model. [N/m]");
   table.require("Tangential ratio", contact.tangential_ratio, {0, 2, false},
-                "Tangential over normal contact stiffness. [-]");
+                "Tangential over normal contact stiffness, of the linear model. [-]");
   table.require("Stone friction", contact.stone_friction, friction,
                 "Friction coefficient between two stones. [-]");
   table.require("Floor friction", contact.floor_friction, friction,
                 "Friction coefficient between a stone and the floor. [-]");
-  table.require("Damping ratio", contact.damping_ratio, {0, 1, true},
-                "Normal and tangential contact dashpots, share of the critical damping. [-]");
   table.require("Local damping", contact.local_damping, {0, 1},
                 "Share of the unbalanced force taken from stones that touch something (Cundall's "
                 "local damping); a stone in free fall has none. [-]");
@@ -28,10 +31,6 @@ void declare_contact(ParameterTable& table, HeapContactParameters& contact)
       "Rolling friction", contact.rolling_friction, 0, friction,
       "Rolling resistance of every contact, elastic-plastic; meant for stones of one sphere. "
       "[-]");
-  table.require(
-      "Share among contacts", contact.share_among_contacts,
-      "Contacts of the same two stones (or of a stone and the floor) share one stiffness and "
-      "one dashpot, so that neither grows with the number of spheres.");
 }
 
 void declare_mesh_wall(ParameterTable& table, MeshWallParameters& wall)
@@ -86,11 +85,7 @@ void declare_heap(ParameterTable& table, HeapParameters& parameters)
                 "A stone counts as elongated when its intermediate over its longest axis (I/L, "
                 "Zingg 1935) is below. [-]");
 
-  table.open_section("Time");
-  table.offer("Step", parameters.time.step, 0, not_negative,
-              "Time step; 0: the safety factor times the stable step. [s]");
-  table.offer("Safety factor", parameters.time.safety_factor, 0.2, {0, 1, false},
-              "Time step as a share of the stable one. [-]");
+  declare_time(table, parameters.time);
 
   table.open_section("Output");
   table.offer("Record interval", parameters.output.record_interval, 0.02, positive,
@@ -109,7 +104,21 @@ std::vector<ParameterProblem> check_heap(const HeapParameters& parameters)
     problems.add("Drop/Disc radius", "The disc from which the stones fall has a radius of ",
                  drop.disc_radius, " m, but it must be smaller than half the side of the floor, ",
                  0.5 * drop.floor_side, " m.");
-  if (!parameters.mesh_wall.file.empty() && parameters.mesh_wall.length_unit <= 0)
+  const HeapContactParameters& contact = parameters.contact;
+  const MeshWallParameters& wall = parameters.mesh_wall;
+  check_contact_model(contact.model, parameters.time, problems);
+  if (!contact.model.linear() && contact.rolling_friction > 0)
+    problems.add(
+        "Contact/Rolling friction",
+        "Rolling resistance needs linear contacts; set it to 0 or Contact/Model to linear.");
+  if (!contact.model.linear() && !wall.file.empty())
+    problems.add("Mesh wall/File",
+                 "A wall of triangles needs linear contacts; leave it out or set Contact/Model to "
+                 "linear.");
+  std::error_code error;
+  if (!wall.file.empty() && !std::filesystem::is_regular_file(wall.file, error))
+    problems.add("Mesh wall/File", "The file \"", wall.file, "\" does not exist.");
+  if (!wall.file.empty() && wall.length_unit <= 0)
     problems.add("Mesh wall/Length unit",
                  "The length of one unit of the file must be given with a "
                  "wall of triangles, for example 0.001 m for millimetres.");

@@ -1,6 +1,7 @@
 // The parameters of the heap experiment in SI units, grouped as the sections of its parameter file.
 #pragma once
 
+#include "coupling/contact_model.h"
 #include "coupling/pull_out_parameters.h"
 
 namespace interlock::coupling
@@ -11,10 +12,9 @@ struct HeapContactParameters {
   double tangential_ratio = 0; // k_t / k_n [-]
   double stone_friction = 0;   // stone with stone [-]
   double floor_friction = 0;   // stone with floor [-]
-  double damping_ratio = 0;    // normal and tangential dashpot, share of critical [-]
+  ContactModelParameters model;
   double local_damping = 0;    // of stones that touch something (Cundall) [-]
   double rolling_friction = 0; // of single spheres, elastic-plastic [-]
-  bool share_among_contacts = false;
 };
 
 // A fixed wall of triangles, a hopper or a step; none without a file.

@@ -161,10 +161,7 @@ void Heap::collect_results(const std::filesystem::path& output)
   s.wall_time = std::chrono::duration<double>(Clock::now() - run_start_).count();
   s.contacts = engine_->n_touching_spheres();
   s.state_hash = state_hash(clumps, nullptr);
-  for (const auto& [name, value] : ledger_.entries()) s.energy[name + "_J"] = value;
-  s.energy["residual_J"] = ledger_.residual();
-  s.energy["work_put_in_J"] = ledger_.work_put_in();
-  s.energy["relative_error"] = ledger_.relative_error();
+  add_ledger(s, ledger_);
 
   s.results["mass_properties"] = parameters_.stones.mass_properties;
   s.results["mass_kg"] = weight() / parameters_.gravity;

@@ -29,31 +29,12 @@ template <class... Values> std::string text(const char* format, Values... values
 
 dem::ContactProperties properties(const PackedContactParameters& contact)
 {
-  dem::ContactProperties pair;
-  if (contact.model == "hertz-mindlin") {
-    const dem::Elastic stone{contact.youngs_modulus, contact.poisson_ratio};
-    pair = dem::hertz_mindlin_pair(stone, stone, contact.friction, contact.damping_ratio);
-  }
-  pair.normal_stiffness = contact.normal_stiffness;
-  pair.tangential_stiffness = contact.tangential_ratio * contact.normal_stiffness;
-  pair.friction = contact.friction;
-  pair.damping_ratio = contact.damping_ratio;
-  pair.share_among_contacts = contact.share_among_contacts;
+  dem::ContactProperties pair =
+      contact_pair(contact.model, contact.normal_stiffness,
+                   contact.tangential_ratio * contact.normal_stiffness, contact.friction);
   pair.normal_damping_rate = contact.normal_damping_rate;
   pair.tangential_damping_rate = contact.tangential_damping_rate;
   return pair;
-}
-
-dem::Wall wall(const std::string& name, const Vector3& corner, const Vector3& edge1,
-               const Vector3& edge2, const dem::ContactProperties& contact)
-{
-  dem::Wall wall;
-  wall.name = name;
-  wall.corner = corner;
-  wall.edge1 = edge1;
-  wall.edge2 = edge2;
-  wall.contact = contact;
-  return wall;
 }
 
 // The floor is the first of them.
@@ -61,11 +42,11 @@ void build_walls(dem::Engine& engine, const Vector3& box)
 {
   const Vector3 x(box.x(), 0, 0), y(0, box.y(), 0), z(0, 0, box.z() + headroom), origin(0, 0, 0);
   const dem::ContactProperties& contact = engine.stone_contact();
-  engine.add_wall(wall("floor", origin, x, y, contact));
-  engine.add_wall(wall("x = 0", origin, y, z, contact));
-  engine.add_wall(wall("x = length", x, y, z, contact));
-  engine.add_wall(wall("y = 0", origin, x, z, contact));
-  engine.add_wall(wall("y = width", y, x, z, contact));
+  engine.add_wall(dem::rectangle_wall("floor", origin, x, y, contact));
+  engine.add_wall(dem::rectangle_wall("x = 0", origin, y, z, contact));
+  engine.add_wall(dem::rectangle_wall("x = length", x, y, z, contact));
+  engine.add_wall(dem::rectangle_wall("y = 0", origin, x, z, contact));
+  engine.add_wall(dem::rectangle_wall("y = width", y, x, z, contact));
 }
 
 PackedState prepared(const PackedStateParameters& parameters)
@@ -94,10 +75,7 @@ Packing::Packing(const PackingParameters& parameters, const Monitor& monitor)
   engine_ = std::make_unique<dem::Engine>(state_.shapes, properties(parameters.contact),
                                           parameters.gravity);
   const std::vector<double> densities(state_.shapes.size(), state_.density);
-  dt_ = parameters.contact.model == "linear"
-            ? choose_time_step(parameters.time,
-                               engine_->expected_stable_step(densities, expected_contacts))
-            : parameters.time.step;
+  dt_ = choose_time_step(parameters.contact.model, parameters.time, *engine_, densities);
   engine_->set_list_settings({parameters.lists.inner_skin, parameters.lists.middle_skin});
   build();
   const dem::Clumps& clumps = engine_->clumps();

@@ -42,20 +42,7 @@ void declare_state(ParameterTable& table, PackedStateParameters& state)
 void declare_contact(ParameterTable& table, PackedContactParameters& contact)
 {
   table.open_section("Contact");
-  table.require_choice("Model", contact.model, {"linear", "hertz-mindlin"},
-                       "Linear springs, or Hertz's and Mindlin's stiffnesses from the radii of the "
-                       "two spheres and the elastic constants.");
-  table.offer("Youngs modulus", contact.youngs_modulus, 0, not_negative,
-              "Young's modulus of stones and walls; needed with hertz-mindlin. [Pa]");
-  table.offer("Poisson ratio", contact.poisson_ratio, 0.25, {0, 0.5, true},
-              "Poisson's ratio of stones and walls, for hertz-mindlin. [-]");
-  table.offer(
-      "Damping ratio", contact.damping_ratio, 0, {0, 1, true},
-      "Normal and tangential dashpots, share of the critical damping, beside the rates. [-]");
-  table.require(
-      "Share among contacts", contact.share_among_contacts,
-      "Contacts of the same two stones (or of a stone and a wall) share one stiffness and "
-      "one dashpot, so that neither grows with the number of spheres.");
+  declare_contact_model(table, contact.model);
   table.require(
       "Normal stiffness", contact.normal_stiffness, positive,
       "Normal stiffness of a contact of two spheres, or of a sphere and a wall; of the linear "
@@ -94,11 +81,7 @@ void declare_packing(ParameterTable& table, PackingParameters& parameters)
   declare_state(table, parameters.state);
   declare_contact(table, parameters.contact);
 
-  table.open_section("Time");
-  table.offer("Step", parameters.time.step, 0, not_negative,
-              "Time step; 0: the safety factor times the stable step. [s]");
-  table.offer("Safety factor", parameters.time.safety_factor, 0.2, {0, 1, false},
-              "Time step as a share of the stable one. [-]");
+  declare_time(table, parameters.time);
   table.require("Warm-up steps", parameters.warm_up_steps, not_negative,
                 "Steps before the timed ones: a state file has no springs of friction, they must "
                 "form first. [-]");
@@ -127,13 +110,7 @@ std::vector<ParameterProblem> check_packing(const PackingParameters& parameters)
     problems.add("Packing/Hold still",
                  "Stones that are held still cannot be thrown; set Throw speed and Throw spin to 0 "
                  "or Hold still to false.");
-  if (parameters.contact.model == "hertz-mindlin" && parameters.contact.youngs_modulus <= 0)
-    problems.add("Contact/Youngs modulus",
-                 "Young's modulus must be given with hertz-mindlin contacts, for example 5e10 Pa.");
-  if (parameters.contact.model == "hertz-mindlin" && parameters.time.step <= 0)
-    problems.add("Time/Step", "The time step must be given with hertz-mindlin contacts, whose "
-                              "stiffness is not known before they are loaded; the run compares it "
-                              "with the stable step.");
+  check_contact_model(parameters.contact.model, parameters.time, problems);
   check_written_file(state, problems);
   // Steps with a record or a check are not timed.
   const double looks = double(parameters.records) + state.missed_contact_checks;

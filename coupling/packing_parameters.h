@@ -2,7 +2,7 @@
 // beside each member repeats the unit of the entry in the file.
 #pragma once
 
-#include "coupling/time_step.h"
+#include "coupling/contact_model.h"
 
 #include <cstdint>
 #include <string>
@@ -28,11 +28,7 @@ struct PackedContactParameters {
   double friction = 0;                // [-]
   double normal_damping_rate = 0;     // dashpot = rate * reduced mass of the clumps [1/s]
   double tangential_damping_rate = 0; // [1/s]
-  std::string model = "linear";       // linear | hertz-mindlin
-  double youngs_modulus = 0;          // of the stones and walls, hertz-mindlin [Pa]
-  double poisson_ratio = 0;           // the same [-]
-  double damping_ratio = 0;           // of both models, beside the rates [-]
-  bool share_among_contacts = false;  // dem::ContactProperties
+  ContactModelParameters model = {};
 };
 
 struct NeighbourListParameters {

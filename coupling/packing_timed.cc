@@ -195,10 +195,7 @@ void Packing::collect_speed()
 void Packing::collect_energies()
 {
   Summary& s = summary_;
-  for (const auto& [name, value] : ledger_.entries()) s.energy[name + "_J"] = value;
-  s.energy["residual_J"] = ledger_.residual();
-  s.energy["work_put_in_J"] = ledger_.work_put_in();
-  s.energy["relative_error"] = ledger_.relative_error();
+  add_ledger(s, ledger_);
   char sentence[160];
   std::snprintf(sentence, sizeof sentence,
                 "The energy ledger leaves its bound: error %.2g of the work put in, bound %.2g.",

@@ -135,7 +135,8 @@ Summary PullOut::run(const std::filesystem::path& output)
   if (flattened) press_surface(underside);
   place_geogrid();
   fill_to(parameters_.box.height, 0.5 * mean_size_, "fill upper half");
-  if (parameters_.surcharge.force > 0) add_surcharge();
+  if (parameters_.surcharge.force > 0)
+    parameters_.surcharge.kind == "plate" ? add_plate() : add_surcharge();
   settle_before_pull();
   pull(output);
   collect_results();
@@ -324,5 +325,29 @@ void PullOut::add_surcharge()
   settle(0.1, 0, Settling::between_pours);
   end_stage(std::to_string(nx * ny) + " spheres of " + text("%.0f", 2e3 * radius) + " mm, " +
             text("%.1f", parameters_.surcharge.force) + " N in all");
+}
+
+// A plate over the whole box that keeps the force until the end.
+void PullOut::add_plate()
+{
+  begin_stage("surcharge");
+  const dem::Clumps& clumps = engine_->clumps();
+  double top = 0;
+  for (int i = 0; i < clumps.size(); ++i)
+    for (std::size_t a = 0; a < clumps.shape_of(i).spheres.size(); ++a)
+      top = std::max(top, clumps.position[i].z() + clumps.member_offset(i, a).z() +
+                              clumps.shape_of(i).spheres[a].radius);
+  surcharge_plate_ = engine_->add_wall(
+      dem::rectangle_wall("surcharge plate", {0, 0, top}, {parameters_.box.length, 0, 0},
+                          {0, parameters_.box.width, 0}, stone_on_box_));
+  dem::ForceControl control;
+  control.axis = -Vector3::UnitZ();
+  control.force = parameters_.surcharge.force;
+  control.largest_speed = parameters_.filling.plate_speed;
+  engine_->control_wall(surcharge_plate_, control);
+  settle(0.1, 0, Settling::between_pours);
+  const dem::Wall& plate = engine_->walls()[surcharge_plate_];
+  end_stage("plate at " + text("%.1f", 1e3 * plate.corner.z()) + " mm, presses with " +
+            text("%.1f", plate.force.z()) + " N");
 }
 } // namespace interlock::coupling

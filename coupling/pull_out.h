@@ -52,6 +52,7 @@ private:
   void place_geogrid();
   void clear_ribs();
   void add_surcharge();
+  void add_plate();
   void pull(const std::filesystem::path& output);
   void record(History& history, double displacement);
   void collect_results();
@@ -68,6 +69,7 @@ private:
   double mean_sphere_radius_ = 0; // [m]
   double geogrid_height_ = 0;     // of its middle plane [m]
   double dt_ = 0;                 // [s]
+  int surcharge_plate_ = -1;      // wall; -1: none
 
   double time_ = 0; // [s]
   std::int64_t steps_ = 0;
@@ -79,6 +81,8 @@ private:
 
   // Of the pull.
   double impulse_ = 0, impulse_time_ = 0; // of the pull force since the last record [N s], [s]
+  double plate_impulse_ = 0;              // of the surcharge plate [N s]
+  double pull_start_ = 0;                 // [s]
   std::vector<double> record_forces_;     // means between records [N]
   std::vector<double> filtered_forces_;   // means over the last millimetre [N]
   std::vector<double> record_displacements_;

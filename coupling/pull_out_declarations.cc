@@ -123,8 +123,12 @@ void declare_filling(ParameterTable& table, FillingParameters& filling)
 void declare_loading(ParameterTable& table, PullOutParameters& parameters)
 {
   table.open_section("Surcharge");
-  table.require("Force", parameters.surcharge.force, not_negative,
-                "Total weight of the heavy spheres on top; 0: none. [N]");
+  table.require_choice("Kind", parameters.surcharge.kind, {"spheres", "plate"},
+                       "Heavy spheres of this weight together, or a plate that keeps the force "
+                       "and moves with at most Filling/Plate speed.");
+  table.require(
+      "Force", parameters.surcharge.force, not_negative,
+      "Load on top: total weight of the heavy spheres, or force of the plate; 0: none. [N]");
   table.require("Sphere radius", parameters.surcharge.sphere_radius, not_negative,
                 "Radius of the heavy spheres. [m]");
 
@@ -139,11 +143,7 @@ void declare_loading(ParameterTable& table, PullOutParameters& parameters)
 
 void declare_numerics(ParameterTable& table, PullOutParameters& parameters)
 {
-  table.open_section("Time");
-  table.offer("Step", parameters.time.step, 0, not_negative,
-              "Time step; 0: the safety factor times the stable step. [s]");
-  table.offer("Safety factor", parameters.time.safety_factor, 0.2, {0, 1, false},
-              "Time step as a share of the stable one. [-]");
+  declare_time(table, parameters.time);
 
   table.open_section("Output");
   table.offer("Records", parameters.output.records, 500, at_least_one,

@@ -78,8 +78,9 @@ struct FillingParameters {
 };
 
 struct SurchargeParameters {
-  double force = 0;         // total weight of the spheres put on top; 0: none [N]
-  double sphere_radius = 0; // [m]
+  std::string kind = "spheres"; // spheres | plate
+  double force = 0;             // on top; 0: none [N]
+  double sphere_radius = 0;     // [m]
 };
 
 struct PullParameters {

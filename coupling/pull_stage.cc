@@ -62,9 +62,9 @@ void PullOut::pull(const std::filesystem::path& output)
   const int n_records = parameters_.output.records, n_frames = parameters_.output.field_frames;
   int next_record = 0, next_frame = 0;
   double displacement = 0;
-  const double start = time_;
+  pull_start_ = time_;
   while (true) {
-    const double elapsed = time_ - start;
+    const double elapsed = time_ - pull_start_;
     const double progress = displacement / p.distance;
     const bool over = displacement >= p.distance;
     const bool record_now = over || progress * n_records >= next_record;
@@ -72,6 +72,7 @@ void PullOut::pull(const std::filesystem::path& output)
     watch_pull();
     impulse_ -= loop_->clamp_force().x() * dt_;
     impulse_time_ += dt_;
+    if (surcharge_plate_ >= 0) plate_impulse_ += dt_ * engine_->walls()[surcharge_plate_].force.z();
     if (record_now) {
       if (next_record == 0) ledger_at_pull_ = ledger_;
       record(history, displacement);
@@ -194,11 +195,8 @@ void PullOut::collect_results()
   s.contacts = engine_->n_touching_spheres();
   s.state_hash = state_hash(clumps, &geogrid_->dynamics());
 
-  for (const auto& [name, value] : ledger_.entries()) s.energy[name + "_J"] = value;
+  add_ledger(s, ledger_);
   const EnergyLedger pull = difference(ledger_, ledger_at_pull_);
-  s.energy["residual_J"] = ledger_.residual();
-  s.energy["work_put_in_J"] = ledger_.work_put_in();
-  s.energy["relative_error"] = ledger_.relative_error();
   s.energy["interface_residual_J"] = ledger_.interface_residual();
   s.energy["pull_interface_residual_J"] = pull.interface_residual();
   s.energy["pull_clamp_work_J"] = pull.clamp_work;
@@ -214,6 +212,11 @@ void PullOut::collect_results()
   s.results["largest_overlap_over_mean_sphere_radius"] = largest_overlap_ / mean_sphere_radius_;
   s.results["pull_speed_m_per_s"] = parameters_.pull.speed;
   s.results["pull_distance_m"] = record_displacements_.back();
+  if (surcharge_plate_ >= 0) {
+    const dem::Wall& plate = engine_->walls()[surcharge_plate_];
+    s.results["surcharge_plate_mean_force_N"] = plate_impulse_ / (time_ - pull_start_);
+    s.results["surcharge_plate_height_at_end_m"] = plate.corner.z();
+  }
   // Filtered: mean over the last millimetre. Raw: mean between two records.
   s.results["pull_force_at_end_N"] = filtered_forces_.back();
   s.results["peak_pull_force_N"] = *peak;

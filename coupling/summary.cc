@@ -31,6 +31,14 @@ std::string hexadecimal(const std::uint64_t hash)
   return text.str();
 }
 
+void add_ledger(Summary& summary, const EnergyLedger& ledger)
+{
+  for (const auto& [name, value] : ledger.entries()) summary.energy[name + "_J"] = value;
+  summary.energy["residual_J"] = ledger.residual();
+  summary.energy["work_put_in_J"] = ledger.work_put_in();
+  summary.energy["relative_error"] = ledger.relative_error();
+}
+
 nlohmann::ordered_json to_json(const Summary& summary)
 {
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();

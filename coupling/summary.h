@@ -1,6 +1,8 @@
 // summary.json: what a finished run was and what came out.
 #pragma once
 
+#include "coupling/energy_ledger.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -40,6 +42,10 @@ struct Summary {
 
 // A hash as 16 digits: JSON numbers are doubles to many readers, which would lose some.
 std::string hexadecimal(std::uint64_t hash);
+
+// Writes every entry of the ledger [J], its residual, the work put in and the relative error [-]
+// into summary.energy.
+void add_ledger(Summary& summary, const EnergyLedger& ledger);
 
 // Keys as listed in the members' order, with `_s` behind times, and
 // state_hash as hexadecimal(). A number that is not finite becomes null.

@@ -20,6 +20,15 @@ double choose_time_step(const TimeParameters& time, const dem::StableStep& stabl
   throw InputError(sentence);
 }
 
+void declare_time(ParameterTable& table, TimeParameters& time)
+{
+  table.open_section("Time");
+  table.offer("Step", time.step, 0, not_negative,
+              "Time step; 0: the safety factor times the stable step. [s]");
+  table.offer("Safety factor", time.safety_factor, 0.2, {0, 1, false},
+              "Time step as a share of the stable one. [-]");
+}
+
 std::string time_step_budget(double step, const dem::StableStep& stable)
 {
   char sentence[320];

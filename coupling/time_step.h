@@ -1,6 +1,8 @@
 // The time step of a run: given, or a share of the stable one.
 #pragma once
 
+#include "coupling/parameter_table.h"
+
 #include <string>
 
 namespace interlock::dem
@@ -18,6 +20,9 @@ struct TimeParameters {
 // The step bound is meant for clumps with this many contacts, more than stones in a packing carry
 // on average; a live bound is watched during the run.
 constexpr int expected_contacts = 8;
+
+// Opens the section Time and declares both members of `time`, which must outlive the table.
+void declare_time(ParameterTable& table, TimeParameters& time);
 
 // What the step is made of, in one sentence for the log: the stone that sets it, its contacts, the
 // bound and the share of it that is used.

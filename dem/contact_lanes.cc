@@ -54,12 +54,4 @@ void ContactLanes::copy_history(int k, const ContactLanes& from, int from_k)
   torque1[k] = from.torque1[from_k];
   torque2[k] = from.torque2[from_k];
 }
-
-void ContactLanes::clear_history(int k)
-{
-  for (VectorField* field : {&spring, &dashpot, &force, &torque1, &torque2}) (*field)[k].setZero();
-  overlap[k] = tangential_stiffness[k] = 0;
-  shared_depth[k] = 0;
-  gradient[k] = 1;
-}
 } // namespace interlock::dem

@@ -48,7 +48,6 @@ public:
   void set_pair(int k, const ContactKey& key, const Clumps& clumps);
   void set_wall(int k, const ContactKey& key, const Clumps& clumps);
   void copy_history(int k, const ContactLanes& from, int from_k);
-  void clear_history(int k);
 
 private:
   static Eigen::Matrix<double, 1, 1> one() { return Eigen::Matrix<double, 1, 1>::Ones(); }

@@ -59,6 +59,9 @@ void Engine::replace_walls(int first, const std::vector<Wall>& walls)
   for (const WallContact& c : wall_contacts())
     if (c.wall >= first) inserted_ -= elastic_energy(c);
   lists_.forget_walls(first);
+  controls_.erase(std::remove_if(controls_.begin(), controls_.end(),
+                                 [first](const auto& c) { return c.first >= first; }),
+                  controls_.end());
   rolling_.forget_walls(1, first);
   walls_.resize(first);
   for (const Wall& wall : walls) walls_.push_back(wall);
@@ -90,9 +93,11 @@ void Engine::compute_forces(double dt)
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall& wall = walls_[w];
     const WallSegment segment = lists_.wall_segments()[w];
+    const Vector3 before = wall.force;
     evaluate_wall(clumps_, wall, dt, segment, at_walls);
     add_wall_forces(at_walls, segment, clumps_, wall, contact_energy_);
-    wall_work_ -= dt * wall.force.dot(wall.velocity);
+    // A leapfrog kick does the work of the mean of the forces at both ends of a step.
+    wall_work_ -= 0.5 * dt * (before + wall.force).dot(wall.velocity);
   }
   if (!mesh_walls_.empty()) {
     mesh_contacts_.update_list(clumps_, mesh_walls_);
@@ -111,6 +116,12 @@ void Engine::resist_rolling(double dt)
   append_rolling(wall_contacts(), clumps_, walls_, rolling_properties_, contacts);
   append_rolling(mesh_contacts_.contacts(), clumps_, mesh_walls_, rolling_properties_, contacts);
   rolling_.evaluate(std::move(contacts), clumps_, mesh_walls_, dt, contact_energy_);
+}
+
+void Engine::control_wall(int wall, const ForceControl& control)
+{
+  check(control);
+  controls_.emplace_back(wall, control);
 }
 
 int Engine::add_mesh_wall(const MeshWall& wall)
@@ -182,6 +193,10 @@ void Engine::drift_all(double dt, const ScalarField* held)
 
 void Engine::move_walls(double dt)
 {
+  for (auto& [w, control] : controls_) {
+    Wall& wall = walls_[w];
+    control_force(control, contact_response(wall_contacts(), w, wall.contact, clumps_, dt), wall);
+  }
   for (Wall& wall : walls_) wall.corner += dt * wall.velocity;
   for (MeshWall& wall : mesh_walls_) wall.move(dt);
 }

@@ -9,6 +9,7 @@
 // (coupling/staggered_step.h). How it works: docs/theory/engine.md.
 #pragma once
 
+#include "dem/force_control.h"
 #include "dem/mesh_contacts.h"
 #include "dem/neighbour_lists.h"
 #include "dem/rib_contacts.h"
@@ -96,6 +97,10 @@ public:
   // Replaces all walls from index `first` on; their contacts start anew.
   void replace_walls(int first, const std::vector<Wall>& walls);
 
+  // From now on the wall keeps a force: every move_walls sets its velocity along the axis of the
+  // control (force_control.h, linear contacts). Throws InputError when the control is not usable.
+  void control_wall(int wall, const ForceControl& control);
+
   // Walls of triangles (theory/walls.md). What a new one stores from the start, where it overlaps
   // clumps, is booked as inserted. Change their motion between compute_forces and move_walls.
   int add_mesh_wall(const MeshWall& wall);
@@ -168,6 +173,7 @@ private:
 
   Clumps clumps_;
   std::vector<Wall> walls_;
+  std::vector<std::pair<int, ForceControl>> controls_; // by wall
   std::vector<MeshWall> mesh_walls_;
   NeighbourLists lists_;
   MeshContacts mesh_contacts_;

@@ -28,10 +28,15 @@ double response_of(const ContactProperties& pair, double mass, double time_step)
 
 // A wall of either kind.
 template <class AnyWall>
-void set_velocity(const ForceControl& control, double response, AnyWall& wall)
+void set_velocity(ForceControl& control, double response, AnyWall& wall)
 {
+  constexpr double learning = 0.01;
   const double pressing = -control.axis.dot(wall.force); // wall.force is that on the wall
   const double speed = controlled_speed(control, pressing, response);
+  if (response <= 0)
+    control.followed_speed = 0;
+  else if (std::abs(speed) < control.largest_speed)
+    control.followed_speed += learning * (speed - control.followed_speed);
   wall.velocity += (speed - control.axis.dot(wall.velocity)) * control.axis;
 }
 } // namespace
@@ -53,7 +58,8 @@ double controlled_speed(const ForceControl& control, double pressing_force, doub
 {
   const double limit = control.largest_speed;
   if (response <= 0) return control.force > 0 ? limit : 0;
-  return std::clamp(control.gain * (control.force - pressing_force) / response, -limit, limit);
+  const double correction = control.gain * (control.force - pressing_force) / response;
+  return std::clamp(control.followed_speed + correction, -limit, limit);
 }
 
 double contact_response(const std::vector<WallContact>& contacts, int wall,
@@ -74,12 +80,12 @@ double contact_response(const std::vector<MeshContact>& contacts, int wall,
   return sum;
 }
 
-void control_force(const ForceControl& control, double response, Wall& wall)
+void control_force(ForceControl& control, double response, Wall& wall)
 {
   set_velocity(control, response, wall);
 }
 
-void control_force(const ForceControl& control, double response, MeshWall& wall)
+void control_force(ForceControl& control, double response, MeshWall& wall)
 {
   set_velocity(control, response, wall);
 }

@@ -21,6 +21,8 @@ struct ForceControl {
   // it is so with the stiffness of the wall's contacts divided by (1 - gain/2), however many they
   // are; with them see docs/theory/walls.md.
   double gain = 0.5;
+  // State: speed of stones that move steadily, learnt so that they feel the whole force too [m/s].
+  double followed_speed = 0;
 };
 
 // Throws InputError with one sentence when the axis is not a unit vector, the force is negative or
@@ -28,7 +30,7 @@ struct ForceControl {
 void check(const ForceControl& control);
 
 // Speed along the axis for the next step [m/s]:
-//     clamp(gain (F* - F)/R, -largest_speed, largest_speed)
+//     clamp(followed_speed + gain (F* - F)/R, -largest_speed, largest_speed)
 // and with nothing in touch (R = 0) the largest speed towards the stones, or 0 if F* is 0.
 // `pressing_force` F: of the wall on the stones along the axis, now [N]; `response` R: a bound of
 // how much F changes in one step for a unit of speed [N s/m].
@@ -43,8 +45,9 @@ double contact_response(const std::vector<MeshContact>& contacts, int wall,
                         const ContactProperties& pair, const Clumps& clumps, double time_step);
 
 // Sets the wall's velocity along the axis from its present force; across the axis it is left as it
-// is. To be called each step after the contacts were evaluated and before the wall moves, so that
+// is. Learns the followed speed, at a hundredth of gain (F* - F)/R a step, while that is not
+// clamped; forgets it when nothing is in touch. To be called each step after the contacts were evaluated and before the wall moves, so that
 // the contacts always see the velocity of the last move.
-void control_force(const ForceControl& control, double response, Wall& wall);
-void control_force(const ForceControl& control, double response, MeshWall& wall);
+void control_force(ForceControl& control, double response, Wall& wall);
+void control_force(ForceControl& control, double response, MeshWall& wall);
 } // namespace interlock::dem

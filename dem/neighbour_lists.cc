@@ -98,7 +98,9 @@ void NeighbourLists::choose_inner_skins(const Clumps& clumps, const std::vector<
   }
   for (std::size_t w = 0; w < walls.size(); ++w) {
     at_walls_[w].inner_reference = walls[w].corner;
-    at_walls_[w].inner_skin = std::min(inner_steps * dt * walls[w].velocity.norm(), inner_most_);
+    const double speed = walls[w].velocity.norm();
+    at_walls_[w].inner_skin =
+        speed > 0 ? std::clamp(inner_steps * dt * speed, inner_rest_, inner_most_) : 0;
   }
 }
 
@@ -139,13 +141,13 @@ void NeighbourLists::build_middle(const Clumps& clumps, const std::vector<Wall>&
 void NeighbourLists::mark(const Clumps& clumps, const std::vector<Wall>& walls, double dt)
 {
   const int n = clumps.size();
-  all_marked_ = !valid_;
-  marked_.assign(n, all_marked_);
-  wall_marked_.assign(walls.size(), all_marked_);
+  const bool all = !valid_;
+  marked_.assign(n, all);
+  wall_marked_.assign(walls.size(), all);
   middle_.resize(n);
   middle_used_.resize(n);
   for (int i = 0; i < n; ++i) {
-    if (!all_marked_)
+    if (!all)
       marked_[i] = middle_used_[i] > 0.125 * middle_.skin[i] ||
                    next_inner_skin_[i] + middle_used_[i] > 0.75 * middle_.skin[i];
     if (!marked_[i]) continue;
@@ -156,7 +158,7 @@ void NeighbourLists::mark(const Clumps& clumps, const std::vector<Wall>& walls, 
   for (std::size_t w = 0; w < walls.size(); ++w) {
     WallCandidates& at = at_walls_[w];
     const double used = (walls[w].corner - at.reference).norm();
-    wall_marked_[w] = all_marked_ || at.inner_skin + used > 0.75 * at.skin;
+    wall_marked_[w] = all || at.inner_skin + used > 0.75 * at.skin;
     if (!wall_marked_[w]) continue;
     at.reference = walls[w].corner;
     at.skin = std::min(middle_steps * dt * walls[w].velocity.norm(), middle_most_);

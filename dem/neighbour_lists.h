@@ -86,13 +86,12 @@ private:
 
   ListSettings settings_;
   bool valid_ = false;
-  bool all_marked_ = false;
   // Smallest and largest skins [m], from the mean bounding radius.
   double inner_rest_ = 0, inner_most_ = 0, middle_rest_ = 0, middle_most_ = 0, outer_rest_ = 0,
          outer_most_ = 0;
   double size_ = 0; // mean bounding radius that the above belong to [m]
   ListReference outer_, middle_, inner_;
-  ScalarField outer_used_, middle_used_, next_inner_skin_;
+  ScalarField middle_used_, next_inner_skin_;
   ScalarField speed_; // bound on the speed of any member centre, at the last build [m/s]
   std::vector<bool> marked_, wall_marked_;
 

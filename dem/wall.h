@@ -26,4 +26,17 @@ struct Wall {
     return corner + s * edge1 + t * edge2;
   }
 };
+
+// A wall at rest.
+inline Wall rectangle_wall(const std::string& name, const Vector3& corner, const Vector3& edge1,
+                           const Vector3& edge2, const ContactProperties& contact)
+{
+  Wall wall;
+  wall.name = name;
+  wall.corner = corner;
+  wall.edge1 = edge1;
+  wall.edge2 = edge2;
+  wall.contact = contact;
+  return wall;
+}
 } // namespace interlock::dem

@@ -67,12 +67,7 @@ inline void append(TriangleMesh& mesh, const TriangleMesh& more)
 inline Wall rectangle_wall(const Vector3& corner, const Vector3& edge1, const Vector3& edge2,
                            const ContactProperties& contact)
 {
-  Wall wall;
-  wall.corner = corner;
-  wall.edge1 = edge1;
-  wall.edge2 = edge2;
-  wall.contact = contact;
-  return wall;
+  return interlock::dem::rectangle_wall("rectangle", corner, edge1, edge2, contact);
 }
 
 struct Stage {

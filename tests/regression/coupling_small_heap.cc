@@ -26,7 +26,7 @@ HeapParameters small_heap(const std::string& mass_properties)
   p.contact.tangential_ratio = 1;
   p.contact.stone_friction = 0.7;
   p.contact.floor_friction = 0.5;
-  p.contact.damping_ratio = 0.3;
+  p.contact.model.damping_ratio = 0.3;
   p.contact.local_damping = 0.3;
   p.drop.batches = 4;
   p.drop.height = 0.2;

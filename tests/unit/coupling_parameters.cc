@@ -47,7 +47,7 @@ PullOutParameters fitting_parameters()
   p.geogrid.rib_width = 0.005;
   p.geogrid.rib_thickness = 0.0025;
   p.geogrid.edge_rounding = 0.00125;
-  p.surcharge = {500, 0.045};
+  p.surcharge = {"spheres", 500, 0.045};
   p.pull = {0.01, 0.05, 0.05};
   return p;
 }
@@ -117,7 +117,7 @@ TEST_F(Entries, FillOneMemberEach)
       {"Geogrid/Elements per rib", &p.geogrid.elements_per_rib},
       {"Output/Records", &p.output.records},
       {"Output/Field frames", &p.output.field_frames}};
-  const std::size_t others = 8; // 2 seeds, 3 truth values, folder, placement, mass properties
+  const std::size_t others = 9; // kind, 2 seeds, 3 truth values, folder, placement, mass properties
   EXPECT_EQ(table.entries().size(), numbers.size() + counts.size() + others);
 
   // A different value for each, inside every range; only then are they compared.
