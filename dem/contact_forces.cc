@@ -265,57 +265,68 @@ void evaluate_wall(const Clumps& clumps, const Wall& wall, double dt, WallSegmen
 
 namespace
 {
-// What a contact that has just opened lost counts, too.
-INTERLOCK_LANE void add_energy(const ContactLanes& lanes, std::int64_t k, ContactEnergy& energy)
+// Lanes that do not touch hold zeros, but for what a contact that has just opened lost.
+void add_energies(const ContactLanes& lanes, int begin, int end, ContactEnergy& energy)
 {
-  energy.elastic += lanes.elastic[k];
-  energy.friction += lanes.friction[k];
-  energy.damping += lanes.damping[k];
+  const double* __restrict elastic = lanes.elastic.row(0);
+  const double* __restrict friction = lanes.friction.row(0);
+  const double* __restrict damping = lanes.damping.row(0);
+  // One partial sum a lane of a register: the order of the sums is fixed.
+  double e[lane_width] = {}, f[lane_width] = {}, d[lane_width] = {};
+  for (int k = begin; k < end; k += lane_width)
+    for (int l = 0; l < lane_width; ++l) {
+      e[l] += elastic[k + l];
+      f[l] += friction[k + l];
+      d[l] += damping[k + l];
+    }
+  for (int l = 0; l < lane_width; ++l) {
+    energy.elastic += e[l];
+    energy.friction += f[l];
+    energy.damping += d[l];
+  }
+}
+
+int count_touching(const ContactLanes& lanes, int begin, int end)
+{
+  const double* overlap = lanes.overlap.row(0);
+  int touching = 0;
+  for (int k = begin; k < end; ++k) touching += overlap[k] > 0;
+  return touching;
 }
 } // namespace
 
 // Without branches: a lane that does not touch adds zeros. Runs of one clump, kept in registers,
 // cost more in mispredicted ends than they save.
-int add_pair_forces(const ContactLanes& lanes, Clumps& clumps, ContactEnergy& energy)
+int add_pair_forces(const ContactLanes& lanes, WrenchSums& sums, ContactEnergy& energy)
 {
-  const double* overlap = lanes.overlap.row(0);
-  const Rows3<const double> f(lanes.force), t1(lanes.torque1), t2(lanes.torque2);
-  const Rows3<double> force(clumps.force), torque(clumps.torque);
-  const int n = lanes.size();
-  int touching = 0;
-  ContactEnergy all = energy;
-  for (int k = 0; k < n; ++k) {
-    const std::int64_t i = lanes.i[k], j = lanes.j[k];
-    const Lane3 here = f.get(k);
-    force.set(i, force.get(i) + here);
-    torque.set(i, torque.get(i) + t1.get(k));
-    force.set(j, force.get(j) - here);
-    torque.set(j, torque.get(j) + t2.get(k));
-    add_energy(lanes, k, all);
-    touching += overlap[k] > 0;
+  const int n = lanes.overlap.padded_size();
+  for (int k = 0; k < n; k += 4) {
+    const auto force = quads(lanes.force, k), torque1 = quads(lanes.torque1, k),
+               torque2 = quads(lanes.torque2, k);
+    for (int l = 0; l < 4; ++l) {
+      sums.add(lanes.i[k + l], force[l], torque1[l]);
+      sums.add(lanes.j[k + l], -force[l], torque2[l]);
+    }
   }
-  energy = all;
-  return touching;
+  add_energies(lanes, 0, n, energy);
+  return count_touching(lanes, 0, n);
 }
 
-int add_wall_forces(const ContactLanes& lanes, WallSegment segment, Clumps& clumps, Wall& wall,
+int add_wall_forces(const ContactLanes& lanes, WallSegment segment, WrenchSums& sums, Wall& wall,
                     ContactEnergy& energy)
 {
-  const double* overlap = lanes.overlap.row(0);
-  const Rows3<const double> f(lanes.force), t(lanes.torque1);
-  const Rows3<double> force(clumps.force), torque(clumps.torque);
-  int touching = 0;
-  Lane3 sum{0, 0, 0};
-  for (std::int64_t k = segment.begin; k < segment.end; ++k) {
-    add_energy(lanes, k, energy);
-    touching += overlap[k] > 0;
-    const std::int64_t i = lanes.i[k];
-    force.set(i, force.get(i) + f.get(k));
-    torque.set(i, torque.get(i) + t.get(k));
-    sum = sum - f.get(k);
+  const int end = padded(segment.end);
+  Quad on_stones{};
+  for (int k = segment.begin; k < end; k += 4) {
+    const auto force = quads(lanes.force, k), torque = quads(lanes.torque1, k);
+    for (int l = 0; l < 4; ++l) {
+      sums.add(lanes.i[k + l], force[l], torque[l]);
+      on_stones += force[l];
+    }
   }
-  wall.force = vector(sum);
-  return touching;
+  wall.force = {-on_stones[0], -on_stones[1], -on_stones[2]};
+  add_energies(lanes, segment.begin, end, energy);
+  return count_touching(lanes, segment.begin, end);
 }
 
 double largest_overlap(const ContactLanes& lanes)

@@ -4,6 +4,7 @@
 #include "dem/clumps.h"
 #include "dem/contact_law.h"
 #include "dem/wall.h"
+#include "dem/wrench_sums.h"
 
 namespace interlock::dem
 {
@@ -62,11 +63,11 @@ void evaluate_pairs(const Clumps& clumps, const ContactProperties& pair, double 
 void evaluate_wall(const Clumps& clumps, const Wall& wall, double dt, WallSegment segment,
                    ContactLanes& lanes);
 
-// Adds forces and torques to the clumps, and energies to `energy`, in list order; returns the
-// number of touching contacts.
-int add_pair_forces(const ContactLanes& lanes, Clumps& clumps, ContactEnergy& energy);
+// Adds forces and torques to the sums of their clumps, in list order, and energies to `energy`;
+// returns the number of touching contacts.
+int add_pair_forces(const ContactLanes& lanes, WrenchSums& sums, ContactEnergy& energy);
 // The same for one wall, whose force is set, too.
-int add_wall_forces(const ContactLanes& lanes, WallSegment segment, Clumps& clumps, Wall& wall,
+int add_wall_forces(const ContactLanes& lanes, WallSegment segment, WrenchSums& sums, Wall& wall,
                     ContactEnergy& energy);
 
 double largest_overlap(const ContactLanes& lanes); // [m]

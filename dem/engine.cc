@@ -82,23 +82,22 @@ void Engine::compute_forces(double dt)
   const auto start = Clock::now();
   lists_.update(clumps_, walls_, dt);
   const auto listed = Clock::now();
-  for (VectorField* field : {&clumps_.force, &clumps_.torque})
-    for (int c = 0; c < 3; ++c) std::fill(field->row(c), field->row(c) + field->padded_size(), 0.);
-
+  wrenches_.clear(clumps_.size());
   contact_energy_.elastic = 0;
   ContactLanes& pairs = lists_.pair_lanes();
   evaluate_pairs(clumps_, stone_on_stone_, dt, pairs);
-  n_touching_ = add_pair_forces(pairs, clumps_, contact_energy_);
+  n_touching_ = add_pair_forces(pairs, wrenches_, contact_energy_);
   ContactLanes& at_walls = lists_.wall_lanes();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall& wall = walls_[w];
     const WallSegment segment = lists_.wall_segments()[w];
     const Vector3 before = wall.force;
     evaluate_wall(clumps_, wall, dt, segment, at_walls);
-    add_wall_forces(at_walls, segment, clumps_, wall, contact_energy_);
+    add_wall_forces(at_walls, segment, wrenches_, wall, contact_energy_);
     // A leapfrog kick does the work of the mean of the forces at both ends of a step.
     wall_work_ -= 0.5 * dt * (before + wall.force).dot(wall.velocity);
   }
+  wrenches_.write(clumps_.force, clumps_.torque);
   if (!mesh_walls_.empty()) {
     mesh_contacts_.update_list(clumps_, mesh_walls_);
     mesh_contacts_.evaluate(clumps_, mesh_walls_, dt, contact_energy_);

@@ -176,6 +176,7 @@ private:
   std::vector<std::pair<int, ForceControl>> controls_; // by wall
   std::vector<MeshWall> mesh_walls_;
   NeighbourLists lists_;
+  WrenchSums wrenches_;
   MeshContacts mesh_contacts_;
   RollingProperties rolling_properties_;
   RollingResistance rolling_;
