@@ -3,6 +3,8 @@
 #include "apps/case_templates.h"
 #include "coupling/heap.h"
 #include "coupling/heap_declarations.h"
+#include "coupling/laboratory.h"
+#include "coupling/laboratory_declarations.h"
 #include "coupling/packing.h"
 #include "coupling/packing_declarations.h"
 #include "coupling/pull_out.h"
@@ -55,6 +57,9 @@ const std::vector<Experiment>& experiments()
       row<coupling::Packing, coupling::PackingParameters>(
           "packing", packing_template(), coupling::declare_packing, coupling::check_packing,
           [](const coupling::PackingParameters&) { return false; }),
+      row<coupling::Laboratory, coupling::LaboratoryParameters>(
+          "geogrid", geogrid_template(), coupling::declare_laboratory, coupling::check_laboratory,
+          [](const coupling::LaboratoryParameters& p) { return p.report; }),
   };
   return table;
 }

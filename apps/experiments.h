@@ -4,6 +4,7 @@
 
 #include "coupling/check_parameters.h"
 #include "coupling/heap_parameters.h"
+#include "coupling/laboratory_parameters.h"
 #include "coupling/monitor.h"
 #include "coupling/packing_parameters.h"
 #include "coupling/parameter_table.h"
@@ -18,8 +19,9 @@
 
 namespace interlock::apps
 {
-using ExperimentParameters = std::variant<coupling::PullOutParameters, coupling::HeapParameters,
-                                          coupling::PackingParameters>;
+using ExperimentParameters =
+    std::variant<coupling::PullOutParameters, coupling::HeapParameters, coupling::PackingParameters,
+                 coupling::LaboratoryParameters>;
 
 // An experiment that has accepted its parameters. Writes its files into `output`, which must exist.
 using ReadyExperiment = std::function<coupling::Summary(const std::filesystem::path& output)>;

@@ -18,14 +18,18 @@ namespace
 constexpr const char* python = "/usr/bin/python3";
 constexpr const char* pull_out_script = INTERLOCK_SOURCE_DIR "/apps/figures.py";
 constexpr const char* heap_script = INTERLOCK_SOURCE_DIR "/apps/heap_figures.py";
+constexpr const char* geogrid_script = INTERLOCK_SOURCE_DIR "/apps/geogrid_figures.py";
 
 // By the experiment in used.prm, which a run writes first of all.
 const char* script_for(const std::filesystem::path& folder)
 {
   const std::filesystem::path used = folder / "used.prm";
   if (!std::filesystem::is_regular_file(used)) return pull_out_script;
-  for (const Assignment& assignment : scan_parameter_file(used).assignments)
-    if (assignment.key() == "Experiment" && assignment.value == "heap") return heap_script;
+  for (const Assignment& assignment : scan_parameter_file(used).assignments) {
+    if (assignment.key() != "Experiment") continue;
+    if (assignment.value == "heap") return heap_script;
+    if (assignment.value == "geogrid") return geogrid_script;
+  }
   return pull_out_script;
 }
 } // namespace

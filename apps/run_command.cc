@@ -57,8 +57,10 @@ coupling::Monitor monitor_for(ProgressDisplay& display)
 std::string closing_text(const coupling::Summary& summary, const fs::path& folder)
 {
   std::ostringstream text;
-  text << "Done: " << summary.clumps << " stones of " << summary.spheres << " spheres, "
-       << summary.steps << " steps in " << duration_text(summary.wall_time) << '.';
+  text << "Done: ";
+  if (summary.clumps > 0)
+    text << summary.clumps << " stones of " << summary.spheres << " spheres, ";
+  text << summary.steps << " steps in " << duration_text(summary.wall_time) << '.';
   for (const auto& result : summary.results.items())
     text << "\n  " << result.key() << " = " << result.value();
   if (summary.energy.contains("relative_error"))

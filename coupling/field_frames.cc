@@ -1,5 +1,7 @@
 #include "coupling/field_frames.h"
 
+#include "coupling/lattice_output.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -79,32 +81,14 @@ void FieldFrames::write_geogrid(double time, const Geogrid& geogrid)
 {
   const fem::Lattice& lattice = geogrid.lattice();
   const fem::ExplicitDynamics& dynamics = geogrid.dynamics();
-  std::vector<double> points;
-  std::vector<int> lines;
-  OutputField displacement = field("displacement", "m", FieldSupport::points, 3);
+  LatticeFields frame = lattice_fields(
+      lattice, [&](int node) { return dynamics.position(node); },
+      [&](int e) { return dynamics.section_forces(e); });
   OutputField velocity = field("velocity", "m/s", FieldSupport::points, 3);
-  for (int node = 0; node < lattice.n_nodes(); ++node) {
-    append(points, dynamics.position(node));
-    append(displacement.values, dynamics.position(node) - lattice.reference_position(node));
+  for (int node = 0; node < lattice.n_nodes(); ++node)
     append(velocity.values, dynamics.velocity(node));
-  }
-  OutputField axial = field("axial_force", "N", FieldSupport::cells, 1);
-  OutputField shear = field("shear_force", "N", FieldSupport::cells, 1);
-  OutputField torque = field("torque", "N m", FieldSupport::cells, 1);
-  OutputField out_of_plane = field("moment_out_of_plane", "N m", FieldSupport::cells, 1);
-  OutputField in_plane = field("moment_in_plane", "N m", FieldSupport::cells, 1);
-  for (int e = 0; e < lattice.n_elements(); ++e) {
-    const std::array<int, 2>& node = lattice.element(e).node;
-    lines.insert(lines.end(), {node[0], node[1]});
-    const fem::SectionForces forces = dynamics.section_forces(e);
-    axial.values.push_back(forces.axial);
-    shear.values.push_back(std::hypot(forces.shear_2, forces.shear_3));
-    torque.values.push_back(forces.torque);
-    out_of_plane.values.push_back(forces.moment_2);
-    in_plane.values.push_back(forces.moment_3);
-  }
-  geogrid_.write(time, points, lines,
-                 {displacement, velocity, axial, shear, torque, out_of_plane, in_plane});
+  frame.fields.push_back(velocity);
+  geogrid_.write(time, frame.points, frame.lines, frame.fields);
 }
 
 void FieldFrames::write_contacts(double time, const dem::Engine& engine,

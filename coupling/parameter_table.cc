@@ -163,6 +163,12 @@ void ParameterTable::offer_choice(const std::string& name, std::string& member,
   bind(name, member, start, pattern_of(choices), quoted_choices(choices), text, false);
 }
 
+void ParameterTable::offer_text(const std::string& name, std::string& member,
+                                const std::string& text)
+{
+  bind(name, member, std::string(), dealii::Patterns::Anything(), "any text", text, false);
+}
+
 void ParameterTable::require_file(const std::string& name, std::string& member,
                                   const std::string& text)
 {

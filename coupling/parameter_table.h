@@ -57,6 +57,7 @@ public:
   void offer_seed(const std::string& name, std::uint64_t& member, const std::string& text);
   void offer_choice(const std::string& name, std::string& member, const std::string& start,
                     const std::vector<std::string>& choices, const std::string& text);
+  void offer_text(const std::string& name, std::string& member, const std::string& text);
   void require_file(const std::string& name, std::string& member, const std::string& text);
   void offer_file(const std::string& name, std::string& member, const std::string& text);
   void offer_folder(const std::string& name, std::string& member, const std::string& text);

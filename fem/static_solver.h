@@ -67,6 +67,7 @@ public:
   // not converge or PETSc is not running; the message names the step and PETSc's reason.
   int solve();
 
+  const Lattice& lattice() const { return state_.lattice; }
   const Eigen::Vector3d& position(int node) const { return state_.position[node]; } // [m]
   Eigen::Vector3d displacement(int node) const
   {

@@ -1,0 +1,134 @@
+#!/usr/bin/python3
+"""Pictures of a finished laboratory test of a geogrid.
+
+    geogrid_figures.py RUN_DIR     curves.png and TEST.png (the deformed piece) in RUN_DIR/figures
+
+Reads history.csv, table.csv and TEST.xdmf. Ends with 2 when the folder holds no history at all.
+"""
+
+import argparse
+import csv
+import os
+import sys
+
+import figures  # sets Matplotlib up to draw into files
+import matplotlib.pyplot as plt
+import numpy as np
+
+
+def read_rows(path):
+    if not os.path.isfile(path):
+        return []
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def paths_by_test(rows):
+    """Test -> (name of the deformation, name of the load, deformations, loads)."""
+    paths = {}
+    for row in rows:
+        path = paths.setdefault(row["test"], (row["deformation_name"], row["load_name"], [], []))
+        path[2].append(float(row["deformation"]))
+        path[3].append(float(row["load"]))
+    return paths
+
+
+def words(name):
+    return name.replace("_", " ")
+
+
+def draw_curves(paths, stated, target):
+    """One plot for each kind of test; tension in both directions shares one."""
+    kinds = {}
+    for test, path in paths.items():
+        kinds.setdefault((path[0], path[1]), []).append((test, path))
+    figure, axes = plt.subplots(1, len(kinds), figsize=(4.4 * len(kinds), 3.6), squeeze=False)
+    for axis, ((deformation, load), members) in zip(axes[0], kinds.items()):
+        percent = deformation.startswith("strain")
+        kilo = load.endswith("[N/m]")
+        for colour, (test, path) in zip(figures.COLOURS, members):
+            axis.plot(np.array(path[2]) * (100 if percent else 1),
+                      np.array(path[3]) * (1e-3 if kilo else 1), color=colour, label=test)
+            if test in stated:
+                axis.plot(*zip(*stated[test]), "o", color=colour, mfc="none", label="data sheet, " + test)
+        axis.set_xlabel("strain [%]" if percent else words(deformation))
+        axis.set_ylabel("force per width [kN/m]" if kilo else words(load))
+        axis.legend(fontsize=8)
+        axis.grid(alpha=0.3)
+    save(figure, target)
+
+
+def stated_forces(table):
+    """Test -> [(strain in %, force in kN/m)] that the data sheet states."""
+    stated = {}
+    for row in table:
+        parts = row["quantity"].split(", ")
+        if len(parts) == 3 and parts[2].startswith("force at") and row["stated"]:
+            strain = float(parts[2].split()[2])
+            stated.setdefault(f"{parts[0]} {parts[1]}", []).append((strain, float(row["stated"])))
+    return stated
+
+
+def draw_piece(run, test, target):
+    """The deformed piece, coloured by the largest section force or moment, over its unloaded outline."""
+    import field_figures  # h5py is needed for this only
+    from matplotlib.collections import LineCollection
+
+    series = field_figures.open_series(run, test.replace(" ", "_"))
+    if series is None:
+        raise FileNotFoundError(f"{run} holds no fields of the test")
+    points, lines = series.points(0), series.lines(0)
+    unloaded = points - series.attribute(0, "displacement")
+    fields = {"axial force [N]": series.attribute(0, "axial_force"),
+              "in-plane moment [N mm]": 1e3 * series.attribute(0, "moment_in_plane"),
+              "out-of-plane moment [N mm]": 1e3 * series.attribute(0, "moment_out_of_plane")}
+    name = {"wide-width": "axial force [N]", "single-rib": "axial force [N]",
+            "aperture": "in-plane moment [N mm]"}.get(test.split()[0], "out-of-plane moment [N mm]")
+    # A hanging strip is seen from the side.
+    axes = (0, 2) if test.startswith("flexural") else (0, 1)
+    figure, axis = plt.subplots(figsize=(6, 4.5))
+    axis.add_collection(LineCollection(1e3 * unloaded[:, axes][lines], colors="#cccccc", linewidths=1))
+    ribs = LineCollection(1e3 * points[:, axes][lines], array=fields[name], cmap="coolwarm", linewidths=2.2)
+    limit = np.abs(fields[name]).max() or 1
+    ribs.set_clim(-limit, limit)
+    axis.add_collection(ribs)
+    axis.autoscale()
+    axis.set_aspect("equal")
+    axis.set_xlabel("x, along [mm]")
+    axis.set_ylabel("z [mm]" if axes[1] == 2 else "y, across [mm]")
+    axis.set_title(f"{test}: last state, true scale (grey: unloaded)", fontsize=9)
+    figure.colorbar(ribs, label=name)
+    save(figure, target)
+
+
+def save(figure, target):
+    figure.tight_layout()
+    figure.savefig(target, dpi=140)
+    plt.close(figure)
+    print(f"Wrote {target}.")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("run", help="output folder of the experiment geogrid")
+    run = parser.parse_args().run
+    rows = read_rows(os.path.join(run, "history.csv"))
+    if not rows:
+        print(f"{run}: there is no history.csv with a record, so this is not the output folder of a run.",
+              file=sys.stderr)
+        return 2
+    folder = os.path.join(run, "figures")
+    os.makedirs(folder, exist_ok=True)
+    paths = paths_by_test(rows)
+    draw_curves(paths, stated_forces(read_rows(os.path.join(run, "table.csv"))),
+                os.path.join(folder, "curves.png"))
+    for test in paths:
+        try:
+            draw_piece(run, test, os.path.join(folder, test.replace(" ", "_") + ".png"))
+        except (ImportError, FileNotFoundError) as error:
+            print(f"{test}: left out, {error}.")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,206 @@
+#include "coupling/laboratory.h"
+
+#include "coupling/atomic_file.h"
+#include "coupling/lattice_output.h"
+#include "dem/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace interlock::coupling
+{
+namespace
+{
+constexpr double degree = M_PI / 180, standard_gravity = 9.80665;
+
+// Ribs whose sheet has this secant stiffness, or this Young's modulus.
+fem::ProductRibs product_ribs(const ProductRibsParameters& parameters,
+                              const ProductParameters& product, double pitch)
+{
+  fem::ProductRibs ribs;
+  ribs.shape = {parameters.width, parameters.thickness, parameters.youngs_modulus,
+                product.poisson_ratio, product.density};
+  if (parameters.secant_stiffness_2 > 0)
+    ribs.shape.youngs_modulus = parameters.secant_stiffness_2 * pitch / fem::area(ribs.shape);
+  ribs.section = fem::beam_section(ribs.shape);
+  return ribs;
+}
+
+std::string number(double value, int digits = 4)
+{
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+std::string padded(std::string text, std::size_t width, bool right = true)
+{
+  text.insert(right ? 0 : text.size(), width > text.size() ? width - text.size() : 0, ' ');
+  return text;
+}
+} // namespace
+
+fem::GeogridProduct geogrid_product(const ProductParameters& parameters)
+{
+  fem::GeogridProduct product;
+  product.pitch_along = parameters.pitch_along;
+  product.pitch_across = parameters.pitch_across;
+  product.elements_per_rib = parameters.elements_per_rib;
+  product.ribs_along = product_ribs(parameters.along, parameters, parameters.pitch_across);
+  product.ribs_across = product_ribs(parameters.across, parameters, parameters.pitch_along);
+  return product;
+}
+
+Laboratory::Laboratory(const LaboratoryParameters& parameters, const Monitor& monitor)
+    : parameters_(parameters), monitor_(monitor)
+{
+  try {
+    product_ = geogrid_product(parameters.product);
+    fem::piece(product_, 1, 1);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(error.what());
+  }
+}
+
+fem::LaboratoryProgress Laboratory::progress(const std::string& stage) const
+{
+  return [this, stage](double share) {
+    if (monitor_.progress) monitor_.progress({stage, share, 0, 0});
+  };
+}
+
+// Files and log of a finished test. `columns`: of deformation and load in history.csv.
+void Laboratory::finish(const std::string& test, const std::vector<std::string>& columns,
+                        const fem::LaboratoryTest& result, const std::filesystem::path& output)
+{
+  for (const fem::LaboratoryPoint& point : result.path)
+    history_->add({test, columns[0], point.deformation, columns[1], point.load});
+  std::string stem = test;
+  std::replace(stem.begin(), stem.end(), ' ', '_');
+  write_lattice(output / stem, *result.solver);
+  const Clock::time_point now = Clock::now();
+  StageSummary stage;
+  stage.name = test;
+  stage.steps = static_cast<std::int64_t>(result.path.size()) - 1;
+  stage.wall_time = std::chrono::duration<double>(now - stage_start_).count();
+  stage_start_ = now;
+  summary_.steps += stage.steps;
+  summary_.wall_time += stage.wall_time;
+  if (monitor_.message)
+    monitor_.message(test + ": " + std::to_string(result.solver->lattice().n_elements()) +
+                     " beam elements, " + std::to_string(stage.steps) + " steps (" +
+                     number(stage.wall_time, 2) + " s)");
+  summary_.stages.push_back(stage);
+}
+
+void Laboratory::add_row(const std::string& quantity, const std::string& key,
+                         const std::string& unit, double measured, double stated)
+{
+  rows_.push_back({quantity, unit, measured, stated});
+  summary_.results[key] = measured;
+  if (stated > 0) summary_.results[key + "_stated"] = stated;
+}
+
+void Laboratory::tension(const std::string& direction, bool single_rib,
+                         const std::filesystem::path& output)
+{
+  const bool along = direction == "along";
+  const DataSheetParameters& sheet = parameters_.data_sheet;
+  const fem::GeogridProduct product = along ? product_ : fem::turned(product_);
+  const std::string kind = single_rib ? "single-rib tension" : "wide-width tension";
+  const std::string name = kind + " " + direction;
+  const LaboratoryTestParameters& p = parameters_.test;
+  const auto test = single_rib ? fem::single_rib_tension : fem::wide_width_tension;
+  const fem::LaboratoryTest result = test(product, p.largest_strain, p.steps, progress(name));
+  finish(name, {"strain [-]", "force_per_width [N/m]"}, result, output);
+  const std::string stem = std::string(single_rib ? "single_rib" : "wide_width") + "_force_at_";
+  const auto row = [&](double strain, const std::string& percent, double stated) {
+    if (p.largest_strain < strain * (1 - 1e-9)) return;
+    add_row(kind + ", " + direction + ", force at " + percent + " %",
+            stem + percent + "_percent_" + direction + "_kN_per_m", "kN/m",
+            1e-3 * fem::load_at(result.path, strain), stated);
+  };
+  row(0.02, "2", along ? sheet.force_2_along : sheet.force_2_across);
+  row(0.05, "5", along ? sheet.force_5_along : sheet.force_5_across);
+}
+
+void Laboratory::stability(const std::filesystem::path& output)
+{
+  const LaboratoryTestParameters& p = parameters_.test;
+  const fem::LaboratoryTest result =
+      fem::aperture_stability(product_, p.largest_torque, p.steps, progress("aperture stability"));
+  finish("aperture stability", {"rotation [rad]", "torque [N m]"}, result, output);
+  add_row("aperture stability at " + number(p.largest_torque) + " N m",
+          "aperture_stability_N_m_per_deg", "N m/deg",
+          result.path.back().load / (result.path.back().deformation / degree),
+          parameters_.data_sheet.aperture_stability);
+}
+
+void Laboratory::overhang(const std::string& direction, const std::filesystem::path& output)
+{
+  const bool along = direction == "along";
+  const std::string name = "flexural overhang " + direction;
+  const fem::OverhangResult result =
+      fem::flexural_overhang(along ? product_ : fem::turned(product_), parameters_.test.strip_ribs,
+                             parameters_.test.gravity, progress(name));
+  finish(name, {"tip_fall [m]", "weight_share [-]"}, result.test, output);
+  add_row("overhang length, " + direction, "overhang_length_" + direction + "_m", "m",
+          result.length, 0);
+  // One mg cm is a force of 1e-6 kg g over a length of 1e-2 m.
+  add_row("flexural rigidity, " + direction, "flexural_rigidity_" + direction + "_mg_cm", "mg cm",
+          result.flexural_rigidity / (1e-8 * standard_gravity),
+          along ? parameters_.data_sheet.flexural_rigidity : 0);
+}
+
+Summary Laboratory::run(const std::filesystem::path& output)
+{
+  stage_start_ = Clock::now();
+  summary_.experiment = "geogrid";
+  summary_.results["product"] = parameters_.product.name;
+  history_ = std::make_unique<History>(
+      output / "history.csv",
+      std::vector<std::string>{"test", "deformation_name", "deformation", "load_name", "load"});
+  const LaboratoryTestParameters& p = parameters_.test;
+  const bool all = p.test == "data sheet";
+  if (all || p.test == "wide-width tension") tension(all ? "along" : p.direction, false, output);
+  if (all) tension("across", false, output);
+  if (p.test == "single-rib tension") tension(p.direction, true, output);
+  if (all || p.test == "aperture stability") stability(output);
+  if (all || p.test == "flexural overhang") overhang(all ? "along" : p.direction, output);
+  if (all)
+    add_row("mass per area", "mass_per_area_kg_per_m2", "kg/m2", product_.mass_per_area(),
+            parameters_.data_sheet.mass_per_area);
+  write_table(output / "table.csv");
+  print_table();
+  return summary_;
+}
+
+void Laboratory::write_table(const std::filesystem::path& file) const
+{
+  std::ostringstream out;
+  out << "quantity,unit,measured,stated\n";
+  for (const Row& row : rows_)
+    out << '"' << row.quantity << "\"," << row.unit << ',' << number(row.measured, 6) << ','
+        << (row.stated > 0 ? number(row.stated, 6) : "") << '\n';
+  write_atomically(file, out.str());
+}
+
+void Laboratory::print_table() const
+{
+  if (!monitor_.message) return;
+  std::string text = padded(parameters_.product.name, 46, false) + padded("measured", 12) +
+                     padded("data sheet", 12) + padded("ratio", 8);
+  for (const Row& row : rows_) {
+    text += "\n  " + padded(row.quantity + " [" + row.unit + "]", 44, false) +
+            padded(number(row.measured), 12);
+    if (row.stated > 0)
+      text += padded(number(row.stated), 12) + padded(number(row.measured / row.stated, 3), 8);
+  }
+  if (!parameters_.data_sheet.source.empty())
+    text += "\n  data sheet: " + parameters_.data_sheet.source;
+  monitor_.message(text);
+}
+} // namespace interlock::coupling

@@ -1,0 +1,54 @@
+// Everything that a laboratory test of a geogrid reads from its parameter file. SI units but for
+// the data sheet, which keeps the units of data sheets.
+#pragma once
+
+#include <string>
+
+namespace interlock::coupling
+{
+// Ribs of one direction.
+struct ProductRibsParameters {
+  double width = 0;          // in the plane of the geogrid [m]
+  double thickness = 0;      // [m]
+  double youngs_modulus = 0; // 0: from the secant stiffness [Pa]
+  double secant_stiffness_2 =
+      0; // of the sheet at 2 % strain, force per width over strain; 0: from the modulus [N/m]
+};
+
+struct ProductParameters {
+  std::string name;
+  double pitch_along = 0;  // of the ribs that run across, centre to centre [m]
+  double pitch_across = 0; // of the ribs that run along [m]
+  ProductRibsParameters along, across;
+  double poisson_ratio = 0; // [-]
+  double density = 0;       // [kg/m3]
+  int elements_per_rib = 8;
+};
+
+struct LaboratoryTestParameters {
+  std::string test = "data sheet"; // or one test
+  std::string direction = "along"; // of tension and overhang in a single test
+  double largest_strain = 0;       // of tension [-]
+  double largest_torque = 0;       // of aperture stability [N m]
+  int steps = 0;                   // of a path
+  int strip_ribs = 0;              // width of the overhanging strip
+  double gravity = 0;              // [m/s2]
+};
+
+// What the manufacturer states; 0: not stated. Printed beside what was measured, never used.
+struct DataSheetParameters {
+  std::string source;
+  double force_2_along = 0, force_2_across = 0; // at 2 % strain [kN/m]
+  double force_5_along = 0, force_5_across = 0; // at 5 % strain [kN/m]
+  double aperture_stability = 0;                // [N m/deg]
+  double flexural_rigidity = 0;                 // along [mg cm]
+  double mass_per_area = 0;                     // [kg/m2]
+};
+
+struct LaboratoryParameters {
+  ProductParameters product;
+  LaboratoryTestParameters test;
+  DataSheetParameters data_sheet;
+  bool report = true; // figures at the end
+};
+} // namespace interlock::coupling

@@ -1,0 +1,28 @@
+// A lattice for ParaView and for scripts: lines between nodes with displacement and section forces.
+#pragma once
+
+#include "coupling/field_output.h"
+#include "fem/lattice.h"
+#include "fem/section_forces.h"
+#include "fem/static_solver.h"
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace interlock::coupling
+{
+struct LatticeFields {
+  std::vector<double> points;
+  std::vector<int> lines;
+  // displacement [m] of nodes; axial_force, shear_force [N], torque, moment_out_of_plane,
+  // moment_in_plane [N m] of elements.
+  std::vector<OutputField> fields;
+};
+LatticeFields lattice_fields(const fem::Lattice& lattice,
+                             const std::function<Eigen::Vector3d(int node)>& position,
+                             const std::function<fem::SectionForces(int element)>& forces);
+
+// One frame of a lattice in equilibrium: STEM.xdmf, STEM.h5.
+void write_lattice(const std::filesystem::path& stem, const fem::StaticSolver& solver);
+} // namespace interlock::coupling
