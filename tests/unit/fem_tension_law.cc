@@ -83,7 +83,9 @@ TEST(TensionLaw, TheLeastOfTheThreeHolds)
     const double after = plastic_stretch(softening, e, plastic);
     EXPECT_GE(after, plastic);
     EXPECT_NEAR(after, std::max(plastic, e - least / softening.axial), 1e-16);
-    if (least == softening.axial * (e - plastic)) EXPECT_EQ(after, plastic);
+    if (least == softening.axial * (e - plastic)) {
+      EXPECT_EQ(after, plastic);
+    }
     plastic = after;
   }
   EXPECT_GT(plastic, 0.05);

@@ -119,18 +119,18 @@ TEST(StableStep, FormulaIsSafeUnderTension)
 TEST(StableStep, FormulaIsSafeAfterPlasticStretch)
 {
   for (const bool spherical : {false, true})
-    for (const double elastic : {0.01, 0.08})
-      for (const double plastic : {0.02, 0.1}) {
-        DynamicsOptions options;
-        options.spherical_inertia = spherical;
-        const Lattice lattice = small_lattice(8);
-        const double exact = exact_limit(lattice, options, elastic + plastic, plastic);
-        const double formula =
-            beam_frequency(lattice, lump_inertia(lattice, spherical), spherical, options.rbf)
-                .stable_step(elastic * lattice.section(0).axial, plastic);
-        EXPECT_LE(formula, exact) << spherical << elastic << plastic;
-        EXPECT_GE(formula, exact / 1.4) << spherical << elastic << plastic;
-      }
+    for (const double elastic : {0.01, 0.08}) {
+      const double plastic = 0.1;
+      DynamicsOptions options;
+      options.spherical_inertia = spherical;
+      const Lattice lattice = small_lattice(8);
+      const double exact = exact_limit(lattice, options, elastic + plastic, plastic);
+      const double formula =
+          beam_frequency(lattice, lump_inertia(lattice, spherical), spherical, options.rbf)
+              .stable_step(elastic * lattice.section(0).axial, plastic);
+      EXPECT_LE(formula, exact) << spherical << elastic;
+      EXPECT_GE(formula, exact / 1.4) << spherical << elastic;
+    }
 }
 
 TEST(StableStep, BoundedBelowGrowingAbove)
