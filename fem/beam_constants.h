@@ -7,8 +7,9 @@
 namespace interlock::fem
 {
 // `rbf`: residual bending flexibility in both shear stiffnesses, see residual_shear and
-// residual_bowing.
-inline BeamConstants<double> beam_constants(const Lattice& lattice, int e, bool rbf)
+// residual_bowing. `plastic_stretch`: what the element's history has left, see tension_law.h.
+inline BeamConstants<double> beam_constants(const Lattice& lattice, int e, bool rbf,
+                                            double plastic_stretch = 0)
 {
   const LatticeElement& element = lattice.element(e);
   const BeamSection& s = lattice.section(e);
@@ -23,6 +24,9 @@ inline BeamConstants<double> beam_constants(const Lattice& lattice, int e, bool 
           {s.axial, shear_2, shear_3},
           {s.torsion, s.bending_2, s.bending_3},
           {rbf ? residual_bowing(s.shear_2, s.bending_3, h) : 0,
-           rbf ? residual_bowing(s.shear_3, s.bending_2, h) : 0, rbf ? h * h / 12 : 0}};
+           rbf ? residual_bowing(s.shear_3, s.bending_2, h) : 0, rbf ? h * h / 12 : 0},
+          s.softening,
+          s.yield_force / s.axial,
+          plastic_stretch};
 }
 } // namespace interlock::fem

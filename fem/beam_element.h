@@ -15,22 +15,32 @@
 // 1e-15 up to a relative rotation of 1.6 rad in one element, to 1e-12 up to 2.5 rad.
 #pragma once
 
+#include "fem/tension_law.h"
+
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace interlock::fem
 {
 template <class Number> using Triple = std::array<Number, 3>;
 template <class Number> using Quadruple = std::array<Number, 4>; // quaternion w, x, y, z
 
-// What does not change: length [m] and frame of the unloaded element, stiffnesses of BeamSection.
+// What does not change in a step: length [m] and frame of the unloaded element, stiffnesses of
+// BeamSection.
 template <class Number> struct BeamConstants {
   Number length, inverse_length;   // [m], [1/m]
   Quadruple<Number> frame;         // unloaded element frame to world
   Triple<Number> force_stiffness;  // axial, shear along e2, shear along e3 [N]
   Triple<Number> moment_stiffness; // torsion, bending about e2, about e3 [N m2]
   Triple<Number> bowing; // of shear along e2, along e3 [-], of curvature [m2]; see residual_bowing
+  // Tension, see tension_law.h: softening s, yield force over EA, plastic stretch so far [-].
+  Number softening{0.}, yield_stretch{std::numeric_limits<double>::infinity()}, plastic_stretch{0.};
 };
+
+// Whether the kernel heeds softening, yield and plastic stretch. `linear` is for speed alone: with
+// constants that are linear, both give the same digits.
+enum class Tension { linear, softening };
 
 // What changes: position of both nodes [m] and rotation of both nodes from the unloaded state,
 // world.
@@ -172,47 +182,68 @@ Number bowed_stretch(const BeamStrains<Number>& strains, const BeamConstants<Con
                 beam.bowing[2] * (kappa[1] * kappa[1] + kappa[2] * kappa[2]));
 }
 
-// Section force (axial, shear along e2, e3) [N] in the midway frame.
+// Plastic stretch after these strains [-].
 template <class Number, class Constant>
+Number plastic_stretch(const BeamStrains<Number>& strains, const BeamConstants<Constant>& beam)
+{
+  return plastic_stretch(bowed_stretch(strains, beam), beam.softening, beam.yield_stretch,
+                         beam.plastic_stretch);
+}
+
+// Stretch that the axial force is proportional to [-].
+template <Tension tension, class Number, class Constant>
+Number elastic_stretch(const BeamStrains<Number>& strains, const BeamConstants<Constant>& beam)
+{
+  if constexpr (tension == Tension::linear)
+    return bowed_stretch(strains, beam);
+  else
+    return bowed_stretch(strains, beam) - plastic_stretch(strains, beam);
+}
+
+// Section force (axial, shear along e2, e3) [N] in the midway frame.
+template <Tension tension = Tension::softening, class Number, class Constant>
 Triple<Number> section_force(const BeamStrains<Number>& strains,
                              const BeamConstants<Constant>& beam)
 {
-  const Number axial = beam.force_stiffness[0] * bowed_stretch(strains, beam);
+  const Number axial = beam.force_stiffness[0] * elastic_stretch<tension>(strains, beam);
   return {axial, (beam.force_stiffness[1] + beam.bowing[0] * axial) * strains.gamma[1],
           (beam.force_stiffness[2] + beam.bowing[1] * axial) * strains.gamma[2]};
 }
 
 // Section moment (torque, bending about e2, e3) [N m] in the midway frame.
-template <class Number, class Constant>
+template <Tension tension = Tension::softening, class Number, class Constant>
 Triple<Number> section_moment(const BeamStrains<Number>& strains,
                               const BeamConstants<Constant>& beam)
 {
   const Triple<Number>& kappa = strains.kappa;
-  const Number axial = beam.force_stiffness[0] * bowed_stretch(strains, beam);
+  const Number axial = beam.force_stiffness[0] * elastic_stretch<tension>(strains, beam);
   return {beam.moment_stiffness[0] * kappa[0],
           (beam.moment_stiffness[1] + beam.bowing[2] * axial) * kappa[1],
           (beam.moment_stiffness[2] + beam.bowing[2] * axial) * kappa[2]};
 }
 
-// Strain energy of the element [J].
-template <class Number, class Constant>
+// Strain energy of the element [J]; with softening what it would give back, not the work that it
+// took.
+template <Tension tension = Tension::softening, class Number, class Constant>
 Number strain_energy(const BeamStrains<Number>& strains, const BeamConstants<Constant>& beam)
 {
   const Triple<Constant>&c = beam.force_stiffness, &d = beam.moment_stiffness;
   const Triple<Number>&gamma = strains.gamma, &kappa = strains.kappa;
-  const Number stretch = bowed_stretch(strains, beam);
+  const Number stretch = elastic_stretch<tension>(strains, beam);
   return 0.5 * beam.length *
          (c[0] * stretch * stretch + c[1] * gamma[1] * gamma[1] + c[2] * gamma[2] * gamma[2] +
           d[0] * kappa[0] * kappa[0] + d[1] * kappa[1] * kappa[1] + d[2] * kappa[2] * kappa[2]);
 }
 
-// Forces and torques on both nodes: minus the gradient of the strain energy. Their sum is zero, and
-// so is the sum of their moments about any point.
-template <class Number, class Constant>
+// Forces and torques on both nodes: minus the gradient of the strain energy (while plastic stretch
+// grows, of strain energy and plastic work). Their sum is zero, and so is the sum of their moments
+// about any point.
+template <Tension tension = Tension::softening, class Number, class Constant>
 BeamEndLoads<Number> end_loads(const BeamStrains<Number>& strains,
                                const BeamConstants<Constant>& beam)
 {
-  const Triple<Number> force = section_force(strains, beam), moment = section_moment(strains, beam);
+  const Triple<Number> force = section_force<tension>(strains, beam),
+                       moment = section_moment<tension>(strains, beam);
   const Triple<Number> lever = detail::cross(strains.chord, force);
   const Triple<Number> swing = detail::cross(lever, strains.z);
   const Number along = strains.k * detail::dot(strains.z, moment);

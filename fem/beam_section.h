@@ -3,11 +3,14 @@
 
 #include "fem/rib_section.h"
 
+#include <limits>
+
 namespace interlock::fem
 {
-// Linear elastic section laws in the element's frame (e1 along the beam): axial force
-// N = axial * stretch, shear V_i = shear_i * shear strain, torque T = torsion * twist, moments
-// M_i = bending_i * curvature about e_i. Any beam can be given; `beam_section` fills it for a rib.
+// Section laws in the element's frame (e1 along the beam): axial force N = axial * stretch, shear
+// V_i = shear_i * shear strain, torque T = torsion * twist, moments M_i = bending_i * curvature
+// about e_i. All linear elastic, but tension may soften and yield (tension_law.h). Any beam can be
+// given; `beam_section` fills it for a rib.
 struct BeamSection {
   double axial = 0;        // E A [N]
   double shear_2 = 0;      // k G A along e2 [N]
@@ -19,6 +22,8 @@ struct BeamSection {
   double rotary_1 = 0;     // rho (I2 + I3) [kg m]
   double rotary_2 = 0;     // rho I2 [kg m]
   double rotary_3 = 0;     // rho I3 [kg m]
+  double softening = 0;    // s of TensionLaw [-]
+  double yield_force = std::numeric_limits<double>::infinity(); // N_y of TensionLaw [N]
 };
 
 // Section laws of a rib of rectangular cross-section.

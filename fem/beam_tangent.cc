@@ -1,10 +1,7 @@
 #include "fem/beam_tangent.h"
 
+#include "fem/rotation_exponential.h"
 #include "fem/section_forces.h"
-
-#include <unsupported/Eigen/AutoDiff>
-
-#include <cmath>
 
 namespace interlock::fem
 {
@@ -12,33 +9,6 @@ namespace
 {
 using Derivatives = Eigen::Matrix<double, 12, 1>;
 using Dual = Eigen::AutoDiffScalar<Derivatives>;
-
-double value_of(double number)
-{
-  return number;
-}
-double value_of(const Dual& number)
-{
-  return number.value();
-}
-
-template <class Number> Quadruple<Number> exponential(const Triple<Number>& turn)
-{
-  using std::cos, std::sin, std::sqrt;
-  const Number square = detail::dot(turn, turn);
-  Number cosine, half_sine; // of half the angle; the latter divided by the angle
-  if (value_of(square) < 1e-2) {
-    // Series, because the square root has no derivative at zero; the next terms are below 1e-17.
-    const Number s = 0.25 * square;
-    cosine = 1. - s * (1. / 2 - s * (1. / 24 - s * (1. / 720 - s * (1. / 40320))));
-    half_sine = 0.5 * (1. - s * (1. / 6 - s * (1. / 120 - s * (1. / 5040 - s * (1. / 362880)))));
-  } else {
-    const Number angle = sqrt(square), half = 0.5 * angle;
-    cosine = cos(half);
-    half_sine = sin(half) / angle;
-  }
-  return {cosine, half_sine * turn[0], half_sine * turn[1], half_sine * turn[2]};
-}
 
 Triple<Dual> seeded(const Eigen::Vector3d& value, int first)
 {
@@ -55,8 +25,8 @@ BeamTangent beam_tangent(const BeamConstants<double>& beam,
   BeamEnds<Dual> ends;
   ends.x1 = seeded(position[0], 0);
   ends.x2 = seeded(position[1], 6);
-  ends.q1 = detail::product(exponential(seeded(turn[0], 3)), start.q1);
-  ends.q2 = detail::product(exponential(seeded(turn[1], 9)), start.q2);
+  ends.q1 = detail::product(detail::exponential(seeded(turn[0], 3)), start.q1);
+  ends.q2 = detail::product(detail::exponential(seeded(turn[1], 9)), start.q2);
   const BeamEndLoads<Dual> loads = end_loads(beam_strains(ends, beam), beam);
 
   BeamTangent tangent;
@@ -91,7 +61,7 @@ Eigen::Matrix<double, 12, 1> beam_force(const BeamConstants<double>& beam,
 
 Eigen::Quaterniond rotation_exponential(const Eigen::Vector3d& turn)
 {
-  const Quadruple<double> q = exponential<double>({turn[0], turn[1], turn[2]});
+  const Quadruple<double> q = detail::exponential<double>({turn[0], turn[1], turn[2]});
   return {q[0], q[1], q[2], q[3]};
 }
 } // namespace interlock::fem

@@ -1,12 +1,12 @@
 // Set-up, state and queries of the explicit integrator; the step itself is in explicit_step.cc.
 #include "fem/explicit_dynamics.h"
 
-#include "fem/beam_constants.h"
 #include "fem/wide.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -20,11 +20,12 @@ std::array<double, 6> packed(const Eigen::Matrix3d& a)
   return {a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2)};
 }
 
-void require_size(std::size_t size, int nodes, const char* name)
+void require_size(std::size_t size, int expected, const char* name, const char* owners = "nodes")
 {
-  if (size != static_cast<std::size_t>(nodes))
+  if (size != static_cast<std::size_t>(expected))
     throw std::invalid_argument("A lattice state holds " + std::to_string(size) + " entries of " +
-                                name + " but the lattice has " + std::to_string(nodes) + " nodes.");
+                                name + " but the lattice has " + std::to_string(expected) + " " +
+                                owners + ".");
 }
 } // namespace
 
@@ -65,32 +66,25 @@ void ExplicitDynamics::size_lanes()
 {
   n_padded_ = (n_slots_ + wide_lanes - 1) / wide_lanes * wide_lanes;
   // One block more at either side: reading slot s + 1, and the element that ends at slot s.
-  const auto clear = [&](Lane& lane) { lane.assign(n_padded_ + 2 * wide_lanes, 0.); };
+  const std::size_t size = n_padded_ + 2 * wide_lanes;
+  const auto clear = [&](Lane& lane) { lane.assign(size, 0.); };
   const auto clear_all = [&](auto&... lanes) {
     (std::for_each(lanes.begin(), lanes.end(), clear), ...);
   };
-  clear_all(position_, velocity_, spin_, angular_momentum_, orientation_, frame_, force_stiffness_,
-            moment_stiffness_, bowing_, inertia_, inverse_inertia_, load_force_, load_torque_,
-            beam_force_, beam_torque1_, beam_torque2_, force_, torque_);
-  for (Lane* lane : {&length_, &inverse_length_, &mass_, &inverse_mass_, &clamped_, &counts_})
-    clear(*lane);
+  clear_all(position_, velocity_, spin_, angular_momentum_, orientation_, inertia_,
+            inverse_inertia_, load_force_, load_torque_, beam_force_, beam_torque1_, beam_torque2_,
+            force_, torque_);
+  for (Lane* lane : {&mass_, &inverse_mass_, &clamped_, &counts_}) clear(*lane);
   std::fill(orientation_[0].begin(), orientation_[0].end(), 1.);
-  std::fill(frame_[0].begin(), frame_[0].end(), 1.);
+  beams_.resize(size);
 }
 
 void ExplicitDynamics::fill_beam_constants()
 {
   for (int e = 0; e < lattice_.n_elements(); ++e) {
     const BeamConstants<double> beam = beam_constants(lattice_, e, options_.rbf);
-    const int s = element_slot_[e];
-    length_[s] = beam.length;
-    inverse_length_[s] = beam.inverse_length;
-    for (int c = 0; c < 4; ++c) frame_[c][s] = beam.frame[c];
-    for (int c = 0; c < 3; ++c) {
-      force_stiffness_[c][s] = beam.force_stiffness[c];
-      moment_stiffness_[c][s] = beam.moment_stiffness[c];
-      bowing_[c][s] = beam.bowing[c];
-    }
+    beams_.set(element_slot_[e], beam);
+    softens_ = softens_ || beam.softening > 0 || std::isfinite(beam.yield_stretch);
   }
 }
 
@@ -149,7 +143,10 @@ void ExplicitDynamics::step(double h)
 {
   const double kick = 0.5 * (previous_step_ + h);
   // The rigid geogrid does not deform, so its elements exert no force in sum.
-  if (!all_clamped_) compute_element_loads();
+  if (!all_clamped_ && softens_)
+    compute_element_loads<Tension::softening>();
+  else if (!all_clamped_)
+    compute_element_loads<Tension::linear>();
   sum_at_slots(!all_clamped_);
   sum_at_junctions();
   if (options_.spherical_inertia)
@@ -159,33 +156,10 @@ void ExplicitDynamics::step(double h)
   previous_step_ = h;
 }
 
-LatticeEnergies ExplicitDynamics::energies() const
-{
-  LatticeEnergies energies;
-  const double back = 0.5 * previous_step_;
-  for (int i = 0; i < lattice_.n_nodes(); ++i) {
-    const int s = node_slot_[i];
-    const Eigen::Vector3d v = velocity(i), w = spin(i);
-    const Eigen::Vector3d l = options_.spherical_inertia ? Eigen::Vector3d(inertia_[0][s] * w)
-                                                         : vector_at(angular_momentum_, s);
-    energies.kinetic += 0.5 * (mass_[s] * v.squaredNorm() + l.dot(w));
-    energies.gravitational -= mass_[s] * options_.gravity.dot(position(i) - back * v);
-  }
-  // For linear laws the leapfrog rule conserves kinetic energy plus x_n . K x_{n+1}/2, which is
-  // this combination of the energies at the half step and at the steps around it.
-  energies.elastic =
-      2 * elastic_energy(back) - 0.5 * (elastic_energy(0) + elastic_energy(previous_step_));
-  energies.clamp_work = clamp_work_;
-  energies.load_work = load_work_;
-  energies.damping_loss = damping_loss_;
-  return energies;
-}
-
 SectionForces ExplicitDynamics::section_forces(int e) const
 {
   const int s = element_slot_[e];
-  return fem::section_forces(beam_constants(lattice_, e, options_.rbf),
-                             {vector_at(position_, s), vector_at(position_, s + 1)},
+  return fem::section_forces(constants(e), {vector_at(position_, s), vector_at(position_, s + 1)},
                              {quaternion_at(s), quaternion_at(s + 1)});
 }
 
@@ -200,6 +174,9 @@ LatticeState ExplicitDynamics::state() const
     if (!options_.spherical_inertia)
       state.angular_momentum.push_back(vector_at(angular_momentum_, node_slot_[i]));
   }
+  if (softens_)
+    for (int e = 0; e < lattice_.n_elements(); ++e)
+      state.plastic_stretch.push_back(plastic_stretch(e));
   state.previous_step = previous_step_;
   state.clamp_work = clamp_work_;
   state.load_work = load_work_;
@@ -216,6 +193,9 @@ void ExplicitDynamics::set_state(const LatticeState& state)
   require_size(state.spin.size(), n, "spin");
   if (!options_.spherical_inertia)
     require_size(state.angular_momentum.size(), n, "angular momentum");
+  if (softens_)
+    require_size(state.plastic_stretch.size(), lattice_.n_elements(), "plastic stretch",
+                 "elements");
   for (int s = 0; s < n_slots_; ++s) {
     const int node = slot_node_[s];
     const Eigen::Quaterniond& q = state.orientation[node];
@@ -227,6 +207,11 @@ void ExplicitDynamics::set_state(const LatticeState& state)
       orientation_[c + 1][s] = q.vec()[c];
     }
     orientation_[0][s] = q.w();
+  }
+  largest_plastic_stretch_ = 0;
+  for (int e = 0; softens_ && e < lattice_.n_elements(); ++e) {
+    beams_.plastic_stretch[element_slot_[e]] = state.plastic_stretch[e];
+    largest_plastic_stretch_ = std::max(largest_plastic_stretch_, state.plastic_stretch[e]);
   }
   previous_step_ = state.previous_step;
   clamp_work_ = state.clamp_work;

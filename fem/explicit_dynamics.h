@@ -2,6 +2,8 @@
 // coupled loop steps together with the stones.
 #pragma once
 
+#include "fem/beam_constants.h"
+#include "fem/beam_lanes.h"
 #include "fem/lattice.h"
 #include "fem/lumped_inertia.h"
 #include "fem/section_forces.h"
@@ -23,8 +25,9 @@ struct DynamicsOptions {
 };
 
 // Energies [J] half a step back from the positions, where the leapfrog velocities live. In a linear
-// system kinetic + elastic + gravitational + damping_loss - clamp_work - load_work is constant to
-// rounding at any stable step; in general its error falls with the square of the step.
+// system kinetic + elastic + gravitational + damping_loss + plastic_loss - clamp_work - load_work
+// is constant to rounding at any stable step; in general its error falls with the square of the
+// step.
 struct LatticeEnergies {
   double kinetic = 0;       // translation and rotation
   double elastic = 0;       // strain energy of all elements
@@ -32,20 +35,23 @@ struct LatticeEnergies {
   double clamp_work = 0;    // done on the lattice by the clamp since the start
   double load_work = 0;     // done on the lattice by the applied loads since the start
   double damping_loss = 0;  // taken by mass damping since the start
+  double plastic_loss = 0;  // plastic work of all elements since they were new
   double ledger() const
   {
-    return kinetic + elastic + gravitational + damping_loss - clamp_work - load_work;
+    return kinetic + elastic + gravitational + damping_loss + plastic_loss - clamp_work - load_work;
   }
 };
 
 // Everything that a restart needs; one entry a node, world frame. `angular_momentum` is empty with
-// spherical inertia.
+// spherical inertia. `plastic_stretch` has one entry an element and is empty where no rib softens
+// or yields.
 struct LatticeState {
   std::vector<Eigen::Vector3d> position;                  // [m]
   std::vector<Eigen::Quaterniond> orientation;            // unit, rotation from the unloaded state
   std::vector<Eigen::Vector3d> velocity;                  // half a step back [m/s]
   std::vector<Eigen::Vector3d> spin;                      // half a step back [rad/s]
   std::vector<Eigen::Vector3d> angular_momentum;          // half a step back [kg m2/s]
+  std::vector<double> plastic_stretch;                    // up to the last step's start [-]
   double previous_step = 0;                               // [s]
   double clamp_work = 0, load_work = 0, damping_loss = 0; // [J]
 };
@@ -141,23 +147,24 @@ public:
   void step(double h);
 
   // Largest stable step without contacts [s], see stable_beam_step.
-  double stable_step() const { return frequency_.stable_step(largest_force_); }
+  double stable_step() const
+  {
+    return frequency_.stable_step(largest_force_, largest_plastic_stretch_);
+  }
 
   LatticeEnergies energies() const;
   // Force of mass damping on all free nodes in the last step [N].
   Eigen::Vector3d damping_force() const { return damping_force_; }
   // Internal forces of an element for output, in its mid frame.
   SectionForces section_forces(int e) const;
+  // Stretch that stays when an element is unloaded [-]; history up to the start of the last step.
+  double plastic_stretch(int e) const { return beams_.plastic_stretch[element_slot_[e]]; }
 
   LatticeState state() const;
-  // Throws std::invalid_argument when an array has not one entry for every node.
+  // Throws std::invalid_argument when an array has not one entry for every node or element.
   void set_state(const LatticeState& state);
 
 private:
-  using Lane = std::vector<double, Eigen::aligned_allocator<double>>;
-  using Lanes3 = std::array<Lane, 3>;
-  using Lanes4 = std::array<Lane, 4>;
-
   static Eigen::Vector3d vector_at(const Lanes3& lanes, int slot)
   {
     return {lanes[0][slot], lanes[1][slot], lanes[2][slot]};
@@ -178,18 +185,25 @@ private:
   void fill_beam_constants();
   void fill_node_constants();
 
-  void compute_element_loads();
+  BeamConstants<double> constants(int e) const
+  {
+    return beam_constants(lattice_, e, options_.rbf, plastic_stretch(e));
+  }
+  template <Tension tension> void compute_element_loads();
   void sum_at_slots(bool with_elements);
   void sum_at_junctions();
   template <bool spherical> void update_nodes(double kick, double h);
-  double elastic_energy(double time_back) const;
+  template <Tension tension> double elastic_energy(double time_back) const;
+  double plastic_loss(double time_back) const;
 
   Lattice lattice_;
   DynamicsOptions options_;
   std::vector<NodeInertia> nodes_;
   std::vector<double> smallest_inertia_;
   BeamFrequency frequency_;
-  double largest_force_ = 0; // of any element at the last step [N]
+  bool softens_ = false;               // some rib softens or yields
+  double largest_force_ = 0;           // of any element at the last step [N]
+  double largest_plastic_stretch_ = 0; // of any element [-]
 
   // Slots: of the first end of each element, the first one of each node, all of each junction.
   int n_slots_ = 0, n_padded_ = 0;
@@ -200,10 +214,7 @@ private:
   Lanes3 position_, velocity_, spin_, angular_momentum_;
   Lanes4 orientation_;
 
-  // Beam from slot s to s + 1; inverse length zero where slot s ends a line.
-  Lane length_, inverse_length_;
-  Lanes4 frame_;
-  Lanes3 force_stiffness_, moment_stiffness_, bowing_;
+  BeamLanes beams_;
 
   // Mass, inertia (the spherical value, or the six entries xx yy zz xy xz yz of the tensor and of
   // its inverse), 1 for clamped slots, 1 for the slot that counts for its node in sums.

@@ -1,8 +1,7 @@
 // The step of the explicit integrator, in vector lanes.
 #include "fem/explicit_dynamics.h"
 
-#include "fem/beam_element.h"
-#include "fem/wide.h"
+#include "fem/wide_beams.h"
 
 #include <cmath>
 
@@ -11,20 +10,6 @@ namespace interlock::fem
 namespace
 {
 using detail::dot;
-
-// Zero where the slot ends a line, so that no beam leads on from it. A select, not a product: lanes
-// without a beam may hold infinities.
-template <std::size_t n> void drop_gaps(const Wide& inverse_length, std::array<Wide, n>& values)
-{
-  for (Wide& value : values) where(inverse_length == 0., value) = 0.;
-}
-
-template <class Lanes3, class Lanes4>
-BeamEnds<Wide> load_ends(const Lanes3& position, const Lanes4& orientation, int s)
-{
-  return {load_wide(position, s), load_wide(position, s + 1), load_wide(orientation, s),
-          load_wide(orientation, s + 1)};
-}
 
 // Product of a symmetric matrix (xx yy zz xy xz yz) and a vector.
 Triple<Wide> symmetric_product(const std::array<Wide, 6>& a, const Triple<Wide>& v)
@@ -52,18 +37,13 @@ Triple<Wide> spin_of(const Triple<Wide>& momentum, const std::array<Wide, 6>& in
 
 // Flattened: with the kernel called as a function, its results go through memory and a step takes
 // half as long again.
-[[gnu::flatten]] void ExplicitDynamics::compute_element_loads()
+template <Tension tension> [[gnu::flatten]] void ExplicitDynamics::compute_element_loads()
 {
-  Wide largest = 0.; // squared
+  Wide largest = 0., largest_plastic = 0.; // force squared, stretch
   for (int s = 0; s < n_padded_; s += wide_lanes) {
-    const BeamConstants<Wide> beam{load_wide(length_.data() + s),
-                                   load_wide(inverse_length_.data() + s),
-                                   load_wide(frame_, s),
-                                   load_wide(force_stiffness_, s),
-                                   load_wide(moment_stiffness_, s),
-                                   load_wide(bowing_, s)};
-    BeamEndLoads<Wide> loads =
-        end_loads(beam_strains(load_ends(position_, orientation_, s), beam), beam);
+    const BeamConstants<Wide> beam = load_constants(beams_, s);
+    const BeamStrains<Wide> strains = beam_strains(load_ends(position_, orientation_, s), beam);
+    BeamEndLoads<Wide> loads = end_loads<tension>(strains, beam);
     drop_gaps(beam.inverse_length, loads.force1);
     drop_gaps(beam.inverse_length, loads.torque1);
     drop_gaps(beam.inverse_length, loads.torque2);
@@ -71,9 +51,19 @@ Triple<Wide> spin_of(const Triple<Wide>& momentum, const std::array<Wide, 6>& in
     store_wide(loads.force1, beam_force_, s + wide_lanes);
     store_wide(loads.torque1, beam_torque1_, s + wide_lanes);
     store_wide(loads.torque2, beam_torque2_, s + wide_lanes);
+    if constexpr (tension == Tension::softening) {
+      std::array<Wide, 1> plastic{fem::plastic_stretch(strains, beam)};
+      drop_gaps(beam.inverse_length, plastic);
+      largest_plastic = max(largest_plastic, plastic[0]);
+      store_wide(plastic[0], beams_.plastic_stretch.data() + s);
+    }
   }
   largest_force_ = std::sqrt(hmax(largest));
+  largest_plastic_stretch_ = hmax(largest_plastic);
 }
+
+template void ExplicitDynamics::compute_element_loads<Tension::linear>();
+template void ExplicitDynamics::compute_element_loads<Tension::softening>();
 
 void ExplicitDynamics::sum_at_slots(bool with_elements)
 {
@@ -187,35 +177,4 @@ template <bool spherical> void ExplicitDynamics::update_nodes(double kick, doubl
 
 template void ExplicitDynamics::update_nodes<true>(double, double);
 template void ExplicitDynamics::update_nodes<false>(double, double);
-
-// Strain energy at the positions `time_back` before the present ones, along the present velocities.
-[[gnu::flatten]] double ExplicitDynamics::elastic_energy(double time_back) const
-{
-  Lanes3 position = position_;
-  Lanes4 orientation = orientation_;
-  for (int s = 0; s < n_padded_; s += wide_lanes) {
-    Triple<Wide> x = load_wide(position_, s), turn = load_wide(spin_, s);
-    const Triple<Wide> velocity = load_wide(velocity_, s);
-    for (int c = 0; c < 3; ++c) {
-      x[c] -= time_back * velocity[c];
-      turn[c] *= -time_back;
-    }
-    store_wide(x, position, s);
-    store_wide(turned(load_wide(orientation_, s), turn), orientation, s);
-  }
-  Wide sum = 0.;
-  for (int s = 0; s < n_padded_; s += wide_lanes) {
-    const BeamConstants<Wide> beam{load_wide(length_.data() + s),
-                                   load_wide(inverse_length_.data() + s),
-                                   load_wide(frame_, s),
-                                   load_wide(force_stiffness_, s),
-                                   load_wide(moment_stiffness_, s),
-                                   load_wide(bowing_, s)};
-    std::array<Wide, 1> energy{
-        strain_energy(beam_strains(load_ends(position, orientation, s), beam), beam)};
-    drop_gaps(beam.inverse_length, energy);
-    sum += energy[0];
-  }
-  return reduce(sum);
-}
 } // namespace interlock::fem

@@ -27,6 +27,17 @@ Eigen::Quaterniond element_frame(const Eigen::Vector3d& chord, const RibLine& li
   return Eigen::Quaterniond(axes).normalized();
 }
 
+void require_tension_law(const BeamSection& section, std::size_t l)
+{
+  const std::string line = " of rib line " + std::to_string(l) + " is ";
+  if (!(section.softening >= 0))
+    throw std::invalid_argument("The softening" + line + std::to_string(section.softening) +
+                                " but must not be negative.");
+  if (!(section.yield_force > 0))
+    throw std::invalid_argument("The yield force" + line + std::to_string(section.yield_force) +
+                                " N but must be positive.");
+}
+
 // The freedom that stands for `dof`: itself, or the one that a junction ties it to.
 unsigned int master_dof(const dealii::AffineConstraints<double>& ties, unsigned int dof)
 {
@@ -38,6 +49,7 @@ unsigned int master_dof(const dealii::AffineConstraints<double>& ties, unsigned 
 Lattice::Lattice(std::vector<RibLine> lines)
     : lines_(std::move(lines)), mesh_(std::make_shared<LatticeMesh>(lines_))
 {
+  for (std::size_t l = 0; l < lines_.size(); ++l) require_tension_law(lines_[l].section, l);
   std::map<unsigned int, int> node_of_dof;
   for (const auto& cell : mesh_->dof_handler().active_cell_iterators()) {
     LatticeElement element;

@@ -32,8 +32,8 @@ class Lattice
 {
 public:
   // Lines are joined rigidly wherever they share a vertex position.
-  // Throws std::invalid_argument when there is no line, or one with fewer than two points, or with
-  // a normal along its direction.
+  // Throws std::invalid_argument when there is no line, or one with fewer than two points, with a
+  // normal along its direction, a negative softening or a yield force that is not positive.
   explicit Lattice(std::vector<RibLine> lines);
   explicit Lattice(const BiaxialLayout& layout) : Lattice(rib_lines(layout)) {}
 

@@ -43,13 +43,16 @@ BeamFrequency beam_frequency(const Lattice& lattice, const std::vector<NodeInert
                   2 * s.bending_2 / (h * j[1]), 2 * s.bending_3 / (h * j[2]),
                   beam.force_stiffness[1] * shearing[0], beam.force_stiffness[2] * shearing[1]});
     for (const int c : {0, 1}) {
-      // Shear turns the sections at the stretched length a = 1 + N/EA: (S* + b N) a^2 - N a; here
-      // a straight line in N that lies above it up to a = 1.2.
+      // Shear turns the sections at the stretched length a = 1 + N/EA + e_p, with the plastic
+      // stretch e_p: (S* + b N) a^2 - N a; here a form linear in N and e_p that lies above it up to
+      // a = 1.2.
       const double turning = h / (2 * j[2 - c]);
-      const double lever = 2.2 * beam.force_stiffness[1 + c] / s.axial * turning;
+      const double lengthening = 2.2 * beam.force_stiffness[1 + c] * turning;
+      const double lever = lengthening / s.axial;
       const double tipping = std::max(0., 1.44 * beam.bowing[c] - 1.2) * turning;
       bound.per_tension = std::max({bound.per_tension, beam.bowing[c] * moving + lever + tipping,
                                     2 * beam.bowing[2] / (h * j[2 - c])});
+      bound.per_plastic_stretch = std::max(bound.per_plastic_stretch, lengthening);
     }
   }
   return bound;

@@ -31,8 +31,10 @@ Lattice small_lattice(int elements)
   return Lattice(layout);
 }
 
-// 2/omega_max of K u = omega^2 M u, of the lattice as it is or evenly stretched.
-double exact_limit(const Lattice& lattice, const DynamicsOptions& options, double stretch = 0)
+// 2/omega_max of K u = omega^2 M u, of the lattice as it is or evenly stretched, of which `plastic`
+// is plastic stretch.
+double exact_limit(const Lattice& lattice, const DynamicsOptions& options, double stretch = 0,
+                   double plastic = 0)
 {
   const int n = 6 * lattice.n_nodes();
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n), mass = stiffness;
@@ -40,7 +42,7 @@ double exact_limit(const Lattice& lattice, const DynamicsOptions& options, doubl
   for (int e = 0; e < lattice.n_elements(); ++e) {
     const auto& node = lattice.element(e).node;
     const BeamTangent tangent =
-        beam_tangent(beam_constants(lattice, e, options.rbf),
+        beam_tangent(beam_constants(lattice, e, options.rbf, plastic),
                      {(1 + stretch) * lattice.reference_position(node[0]),
                       (1 + stretch) * lattice.reference_position(node[1])},
                      {identity, identity}, {Vector3d::Zero(), Vector3d::Zero()});
@@ -109,6 +111,25 @@ TEST(StableStep, FormulaIsSafeUnderTension)
               .stable_step(stretch * lattice.section(0).axial);
       EXPECT_LE(formula, exact) << spherical << stretch;
       EXPECT_GE(formula, exact / 1.4) << spherical << stretch;
+    }
+}
+
+// Ribs that have been stretched for good and answer elastically: the tension is that of the elastic
+// stretch alone, but the lever arms of shear are as long as the whole stretch makes them.
+TEST(StableStep, FormulaIsSafeAfterPlasticStretch)
+{
+  for (const bool spherical : {false, true})
+    for (const double elastic : {0.01, 0.08}) {
+      const double plastic = 0.1;
+      DynamicsOptions options;
+      options.spherical_inertia = spherical;
+      const Lattice lattice = small_lattice(8);
+      const double exact = exact_limit(lattice, options, elastic + plastic, plastic);
+      const double formula =
+          beam_frequency(lattice, lump_inertia(lattice, spherical), spherical, options.rbf)
+              .stable_step(elastic * lattice.section(0).axial, plastic);
+      EXPECT_LE(formula, exact) << spherical << elastic;
+      EXPECT_GE(formula, exact / 1.4) << spherical << elastic;
     }
 }
 
