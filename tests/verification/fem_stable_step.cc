@@ -124,4 +124,24 @@ TEST(StableStep, BoundedBelowGrowingAbove)
     EXPECT_TRUE(above > 1e6 || std::isnan(above)) << above;
   }
 }
+
+// A free rib of equal elements is as fast as the worst of them: neighbours move against each other.
+// There the printed step is the limit itself. Below it, at the share r, energy may swing up to 1/(1
+// - r^2) of that at the start, as the leapfrog rule has it for the fastest mode.
+TEST(StableStep, SharpOnAFreeRib)
+{
+  const BeamSection rib = beam_section({5e-3, 2.5e-3, 2.4e9, 0.4, 910});
+  const Lattice lattice({straight_line({0, 0, 0}, {0.065, 0, 0}, 6, rib)});
+  for (const bool spherical : {false, true})
+    for (const bool rbf : {false, true}) {
+      DynamicsOptions options;
+      options.spherical_inertia = spherical;
+      options.rbf = rbf;
+      const double printed = ExplicitDynamics(lattice, options).stable_step();
+      EXPECT_NEAR(printed, exact_limit(lattice, options), 1e-9 * printed) << spherical << rbf;
+      EXPECT_LT(growth(lattice, options, 0.99 * printed), 1 / (1 - 0.99 * 0.99));
+      const double above = growth(lattice, options, 1.01 * printed);
+      EXPECT_TRUE(above > 1e6 || std::isnan(above)) << above;
+    }
+}
 } // namespace
