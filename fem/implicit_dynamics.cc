@@ -3,6 +3,7 @@
 #include "fem/beam_constants.h"
 #include "fem/beam_tangent.h"
 #include "fem/resting_supports.h"
+#include "fem/section_forces.h"
 
 #include <stdexcept>
 #include <string>

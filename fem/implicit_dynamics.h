@@ -18,7 +18,9 @@
 namespace interlock::fem
 {
 struct ImplicitOptions {
-  double spectral_radius = 0.8;     // in [0, 1]: what is left of the fastest motion after each step
+  // In [0, 1]: what each step leaves of the fastest motion. 1 damps nothing, but stiff motion that
+  // the step does not resolve may then grow while the lattice turns far.
+  double spectral_radius = 0.8;
   Eigen::Vector3d gravity{0, 0, 0}; // world [m/s2]
   bool rbf = true;                  // residual bending flexibility in the shear stiffness
   int max_iterations = 30;          // Newton iterations in one step

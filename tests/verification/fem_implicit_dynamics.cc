@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -81,7 +82,7 @@ TEST(ImplicitDynamics, SpectralRadiusOfAnUnresolvedOscillator)
     ImplicitDynamics dynamics(start, with_radius(radius));
     dynamics.set_motion(1, {amplitude * omega, 0, 0}, {0, 0, 0});
     for (int i = 0; i < steps; ++i) dynamics.step(h);
-    const double bound = 10 * steps * steps * std::pow(radius, steps) + 1e-4;
+    const double bound = steps * steps * std::pow(radius, steps) + 1e-5;
     EXPECT_LT(dynamics.velocity(1).norm(), bound * amplitude * omega) << radius;
   }
 }
@@ -128,7 +129,7 @@ TEST(ImplicitDynamics, TumblingBarConvergesWithOrderTwo)
   const Vector3d inertia(0.3, 0.25 + 0.05, 0.25 + 0.25), spin(2, 1, 1.5);
   const double time = 3;
   const Quaterniond exact = free_top(inertia, spin, time);
-  for (const double radius : {0., 0.8, 1.}) {
+  for (const double radius : {0., 0.5, 0.9}) {
     double error[2];
     for (int k = 0; k < 2; ++k) {
       const int steps = 150 << k;
@@ -139,7 +140,7 @@ TEST(ImplicitDynamics, TumblingBarConvergesWithOrderTwo)
       error[k] = dynamics.orientation(0).angularDistance(exact);
     }
     EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.15) << radius;
-    EXPECT_LT(error[1], 5e-3) << radius;
+    EXPECT_LT(error[1], 1e-2) << radius;
   }
 }
 
@@ -158,13 +159,13 @@ TEST(ImplicitDynamics, FreeFlightKeepsMomentum)
       dynamics.set_motion(i, velocity + spin.cross(x) + Vector3d(0, 0, x.x() * x.y()), spin);
     }
     const Vector3d momentum = dynamics.momentum(), turning = dynamics.angular_momentum();
-    const int steps = 100 << k;
+    const int steps = 200 << k;
     for (int i = 0; i < steps; ++i) dynamics.step(2. / steps);
     EXPECT_LT((dynamics.momentum() - momentum).norm(), 1e-9 * momentum.norm());
     drift[k] = (dynamics.angular_momentum() - turning).norm() / turning.norm();
   }
-  EXPECT_LT(drift[1], 1e-3);
-  EXPECT_GT(std::log2(drift[0] / drift[1]), 1.8);
+  EXPECT_LT(drift[1], 1e-5);
+  EXPECT_NEAR(std::log2(drift[0] / drift[1]), 2, 0.2);
 }
 
 // A load that comes on at once and stays: each mode swings to twice its static amplitude.
@@ -273,23 +274,13 @@ double elbow_force(double t)
   return 50 * std::max(0., 1 - std::abs(t - 1));
 }
 
-struct Extreme {
-  double value = 0, time = 0;
-  void look(double v, double t, double sign)
-  {
-    if (sign * v <= sign * value) return;
-    value = v;
-    time = t;
-  }
-};
-
 struct ElbowHistory {
-  Extreme tip_up, tip_down, elbow_down;
-  double energy_first = 0, energy_low = 1e300, energy_high = -1e300; // after the load is gone
-  double iterations = 0;                                             // mean of a step
+  std::vector<double> tip, elbow; // z after each step
+  double energy_first = 0, energy_last = 0, energy_low = 1e300, energy_high = -1e300; // from t = 2
+  double iterations = 0; // mean of a step
 };
 
-ElbowHistory run_elbow(int elements, double h, double end, double radius)
+ElbowHistory run_elbow(int elements, double h, double radius)
 {
   const Lattice lattice = elbow_lattice(elements);
   StaticState start(lattice);
@@ -301,40 +292,70 @@ ElbowHistory run_elbow(int elements, double h, double end, double radius)
   dynamics.set_loads(
       [&](double t, ImplicitDynamics::Loads& loads) { loads[elbow][2] += elbow_force(t); });
   ElbowHistory history;
-  const int steps = static_cast<int>(std::lround(end / h));
+  const int steps = static_cast<int>(std::lround(30 / h));
   for (int i = 1; i <= steps; ++i) {
     history.iterations += static_cast<double>(dynamics.step(h)) / steps;
-    const double t = i * h;
-    history.tip_up.look(dynamics.position(tip).z(), t, 1);
-    history.tip_down.look(dynamics.position(tip).z(), t, -1);
-    if (t > 5) history.elbow_down.look(dynamics.position(elbow).z(), t, -1);
-    if (t < 2 + 0.5 * h) continue;
+    history.tip.push_back(dynamics.position(tip).z());
+    history.elbow.push_back(dynamics.position(elbow).z());
+    if (i * h < 2 + 0.5 * h) continue;
     const ImplicitEnergies energies = dynamics.energies();
     const double energy = energies.kinetic + energies.elastic;
     if (history.energy_first == 0) history.energy_first = energy;
+    history.energy_last = energy;
     history.energy_low = std::min(history.energy_low, energy);
     history.energy_high = std::max(history.energy_high, energy);
   }
   return history;
 }
 
-// An independent geometrically exact code (Exudyn, 10 elements a leg, step 0.05).
+// Value and time of the largest of sign * z between two times, by the parabola through it and its
+// neighbours.
+Eigen::Vector2d extreme(const std::vector<double>& z, double h, double from, double to, double sign)
+{
+  std::size_t best = std::lround(from / h);
+  for (std::size_t i = best; (static_cast<double>(i) + 1) * h < to; ++i)
+    if (sign * z[i] > sign * z[best]) best = i;
+  const double slope = 0.5 * (z[best + 1] - z[best - 1]),
+               bend = z[best + 1] - 2 * z[best] + z[best - 1];
+  return {z[best] - 0.5 * slope * slope / bend, h * (static_cast<double>(best) + 1 - slope / bend)};
+}
+
+// Converged extremes of an independent geometrically exact code (Exudyn, 40 elements a leg), to
+// their last digit. Ours have errors of second order in step and element length; halving both and
+// extrapolating leaves the next order.
 TEST(ImplicitDynamics, ElbowExtremes)
 {
+  const ElbowHistory coarse = run_elbow(10, 0.1, 0.8), fine = run_elbow(20, 0.05, 0.8);
+  const auto extrapolated = [&](auto member, double from, double to, double sign) {
+    const Eigen::Vector2d a = extreme(coarse.*member, 0.1, from, to, sign),
+                          b = extreme(fine.*member, 0.05, from, to, sign);
+    return Eigen::Vector2d((4 * b - a) / 3);
+  };
+  const Eigen::Vector2d tip_up = extrapolated(&ElbowHistory::tip, 5, 10, 1),
+                        tip_down = extrapolated(&ElbowHistory::tip, 13, 18, -1),
+                        elbow_down = extrapolated(&ElbowHistory::elbow, 8, 13, -1);
+  EXPECT_NEAR(tip_up[0], 8.25, 0.01);
+  EXPECT_NEAR(tip_up[1], 7.44, 0.02);
+  EXPECT_NEAR(tip_down[0], -9.73, 0.01);
+  EXPECT_NEAR(tip_down[1], 15.87, 0.02);
+  EXPECT_NEAR(elbow_down[0], -4.06, 0.01);
+  EXPECT_NEAR(elbow_down[1], 10.87, 0.03);
+  EXPECT_LT(fine.iterations, 3.5);
+}
+
+// Nothing acts after t = 2. The energy swings in a band that shrinks with the square of the step,
+// and does not drift beyond it, for the trapezoidal rule and for light damping.
+TEST(ImplicitDynamics, ElbowEnergyAfterTheLoadIsGone)
+{
   for (const double radius : {0.8, 1.}) {
-    const ElbowHistory history = run_elbow(10, 0.05, 30, radius);
-    EXPECT_NEAR(history.tip_up.value, 8.24, 0.05);
-    EXPECT_NEAR(history.tip_up.time, 7.40, 0.1);
-    EXPECT_NEAR(history.tip_down.value, -9.75, 0.05);
-    EXPECT_NEAR(history.tip_down.time, 15.85, 0.1);
-    EXPECT_NEAR(history.elbow_down.value, -4.07, 0.05);
-    EXPECT_NEAR(history.elbow_down.time, 10.85, 0.1);
-    EXPECT_LT(history.iterations, 5);
-    printf("rho %g: tip up %.3f %.3f, down %.3f %.3f, elbow %.3f %.3f, energy %.4f low %.4f high "
-           "%.4f, iterations %.2f\n",
-           radius, history.tip_up.value, history.tip_up.time, history.tip_down.value,
-           history.tip_down.time, history.elbow_down.value, history.elbow_down.time,
-           history.energy_first, history.energy_low, history.energy_high, history.iterations);
+    double band[2];
+    for (int k = 0; k < 2; ++k) {
+      const ElbowHistory history = run_elbow(4, 0.1 / (1 << k), radius);
+      band[k] = (history.energy_high - history.energy_low) / history.energy_first;
+      EXPECT_LT(std::abs(history.energy_last / history.energy_first - 1), band[k]);
+    }
+    EXPECT_LT(band[1], 1e-3) << radius;
+    EXPECT_NEAR(std::log2(band[0] / band[1]), 2, 0.2) << radius;
   }
 }
 
@@ -377,8 +398,8 @@ TEST(ImplicitDynamics, AgreesWithTheExplicitIntegrator)
       difference[k] = std::max(difference[k], (dynamics.position(tip) - place[i]).norm());
     }
   }
-  EXPECT_LT(difference[1], 0.02);
-  EXPECT_NEAR(std::log2(difference[0] / difference[1]), 2, 0.2);
+  EXPECT_LT(difference[1], 2e-4);
+  EXPECT_NEAR(std::log2(difference[0] / difference[1]), 2, 0.1);
 }
 } // namespace
 
