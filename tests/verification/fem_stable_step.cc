@@ -145,4 +145,38 @@ TEST(StableStep, BoundedBelowGrowingAbove)
     EXPECT_TRUE(above > 1e6 || std::isnan(above)) << above;
   }
 }
+
+// A free rib of equal elements whose neighbours move against each other in stretch, twist or
+// bending is as fast as its elements alone, and so is a single element in shear: there the printed
+// step is the limit itself. Below it, at the share r, kinetic energy may swing up to 1/(1 - r^2) of
+// that at the start, as the leapfrog rule has it for the fastest mode.
+TEST(StableStep, PrintedStepIsTheLimitWhereTheBoundIsSharp)
+{
+  BeamSection base;
+  base.axial = 0.5;
+  base.shear_2 = base.shear_3 = 0.1;
+  base.torsion = 0.01;
+  base.bending_2 = base.bending_3 = 0.005;
+  base.line_density = 1;
+  base.rotary_1 = 0.02;
+  base.rotary_2 = base.rotary_3 = 0.01;
+  BeamSection stretch = base, twist = base, bend = base, shear = base;
+  stretch.axial = 5;
+  twist.torsion = 0.2;
+  bend.bending_2 = 0.2;
+  shear.shear_3 = 10;
+  for (const auto& [section, elements] : {std::pair{stretch, 6}, {twist, 6}, {bend, 6}, {shear, 1}})
+    for (const bool spherical : {false, true})
+      for (const bool rbf : {false, true}) {
+        DynamicsOptions options;
+        options.spherical_inertia = spherical;
+        options.rbf = rbf;
+        const Lattice lattice({straight_line({0, 0, 0}, {1, 0, 0}, elements, section)});
+        const double printed = ExplicitDynamics(lattice, options).stable_step();
+        EXPECT_NEAR(printed, exact_limit(lattice, options), 1e-9 * printed);
+        EXPECT_LT(growth(lattice, options, 0.99 * printed), 1 / (1 - 0.99 * 0.99));
+        const double above = growth(lattice, options, 1.01 * printed);
+        EXPECT_TRUE(above > 1e6 || std::isnan(above)) << above;
+      }
+}
 } // namespace
