@@ -3,6 +3,7 @@
 #include "coupling/atomic_file.h"
 #include "coupling/lattice_output.h"
 #include "dem/input_error.h"
+#include "fem/tension_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +16,26 @@ namespace
 {
 constexpr double degree = M_PI / 180, standard_gravity = 9.80665;
 
-// Ribs whose sheet has this secant stiffness, or this Young's modulus.
+// Ribs of this Young's modulus, or those whose sheet has this stiffness and strength.
 fem::ProductRibs product_ribs(const ProductRibsParameters& parameters,
                               const ProductParameters& product, double pitch)
 {
   fem::ProductRibs ribs;
   ribs.shape = {parameters.width, parameters.thickness, parameters.youngs_modulus,
                 product.poisson_ratio, product.density};
-  if (parameters.secant_stiffness_2 > 0)
-    ribs.shape.youngs_modulus = parameters.secant_stiffness_2 * pitch / fem::area(ribs.shape);
+  fem::TensionLaw law;
+  if (parameters.stiffness_2 > 0) {
+    const double stiffness_5 =
+        parameters.stiffness_5 > 0 ? parameters.stiffness_5 : parameters.stiffness_2;
+    law = parameters.strength > 0
+              ? fem::tension_law(parameters.stiffness_2, stiffness_5, pitch, parameters.strength)
+              : fem::tension_law(parameters.stiffness_2, stiffness_5, pitch);
+    ribs.shape.youngs_modulus = law.axial / fem::area(ribs.shape);
+  }
   ribs.section = fem::beam_section(ribs.shape);
+  ribs.section.softening = law.softening;
+  ribs.section.yield_force =
+      parameters.strength > 0 ? pitch * parameters.strength : law.yield_force;
   return ribs;
 }
 
@@ -60,8 +71,26 @@ Laboratory::Laboratory(const LaboratoryParameters& parameters, const Monitor& mo
   try {
     product_ = geogrid_product(parameters.product);
     fem::piece(product_, 1, 1);
-  } catch (const std::invalid_argument& error) {
+    supports_ = parse_supports(parameters.test.supports);
+    loads_ = parse_loads(parameters.test.loads);
+    check_sets();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
     throw InputError(error.what());
+  }
+}
+
+// Unknown sets, or a lattice that can move as a whole: before anything is written.
+void Laboratory::check_sets() const
+{
+  const NodeSets sets = node_sets_of_piece(fem::piece(product_, 2, 2));
+  for (const SupportCondition& support : supports_) nodes_of(support.set, sets);
+  for (const LoadCondition& load : loads_) nodes_of(load.set, sets);
+  if (parameters_.test.test == "supports and loads") {
+    const std::unique_ptr<fem::StaticSolver> solver = supported_piece();
+    apply(supports_, 1, node_sets_of_piece(solver->lattice()), *solver);
+    fem::require_held(solver->state());
   }
 }
 
@@ -155,6 +184,73 @@ void Laboratory::overhang(const std::string& direction, const std::filesystem::p
           along ? parameters_.data_sheet.flexural_rigidity : 0);
 }
 
+// The piece of these tests, held as the parameters say.
+std::unique_ptr<fem::StaticSolver> Laboratory::supported_piece() const
+{
+  const LaboratoryTestParameters& p = parameters_.test;
+  const fem::Lattice lattice = fem::piece(product_, p.apertures_along, p.apertures_across);
+  fem::StaticOptions options;
+  options.load_steps = 1;
+  auto solver = std::make_unique<fem::StaticSolver>(lattice, options);
+  return solver;
+}
+
+void Laboratory::loaded(const std::filesystem::path& output)
+{
+  const LaboratoryTestParameters& p = parameters_.test;
+  fem::LaboratoryTest test;
+  test.solver = supported_piece();
+  const fem::Lattice& lattice = test.solver->lattice();
+  const NodeSets sets = node_sets_of_piece(lattice);
+  test.path.push_back({});
+  double largest = 0;
+  for (int k = 1; k <= p.steps; ++k) {
+    apply(supports_, static_cast<double>(k) / p.steps, sets, *test.solver);
+    apply(loads_, 1. / p.steps, sets, *test.solver);
+    test.solver->solve();
+    for (int i = 0; i < lattice.n_nodes(); ++i)
+      largest = std::max(largest, test.solver->displacement(i).norm());
+    test.path.push_back({largest, static_cast<double>(k) / p.steps});
+    progress("supports and loads")(static_cast<double>(k) / p.steps);
+  }
+  finish("supports and loads", {"largest_displacement [m]", "load_share [-]"}, test, output);
+  add_row("largest displacement", "largest_displacement_m", "m", largest, 0);
+  double axial = 0, stretch = 0;
+  for (int e = 0; e < lattice.n_elements(); ++e) {
+    const double force = test.solver->section_forces(e).axial;
+    axial = std::max(axial, std::abs(force));
+    stretch = std::max(stretch, force / lattice.section(e).axial);
+  }
+  add_row("largest axial force of a rib", "largest_axial_force_N", "N", axial, 0);
+  for (const SupportCondition& support : supports_) {
+    fem::NodeLoad sum = fem::NodeLoad::Zero();
+    for (const int node : sets.at(support.set)) sum += test.solver->reaction(node);
+    const char* names[] = {"x", "y", "z"};
+    for (int c = 0; c < 3; ++c)
+      add_row("reaction of " + support.set + ", " + names[c],
+              "reaction_" + support.set + "_" + names[c] + "_N", "N", sum[c], 0);
+  }
+}
+
+void Laboratory::modes(const std::filesystem::path& output)
+{
+  const std::unique_ptr<fem::StaticSolver> solver = supported_piece();
+  const fem::Lattice& lattice = solver->lattice();
+  apply(supports_, 1, node_sets_of_piece(lattice), *solver);
+  progress("modes")(-1);
+  const std::vector<fem::NaturalMode> modes =
+      fem::natural_modes(solver->state(), parameters_.test.modes);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    history_->add(
+        {"modes", "mode [-]", static_cast<double>(m + 1), "frequency [Hz]", modes[m].frequency});
+    add_row("natural frequency " + std::to_string(m + 1),
+            "natural_frequency_" + std::to_string(m + 1) + "_Hz", "Hz", modes[m].frequency, 0);
+  }
+  write_modes(output / "modes", lattice, modes);
+  if (monitor_.message)
+    monitor_.message("modes: " + std::to_string(lattice.n_elements()) + " beam elements");
+}
+
 Summary Laboratory::run(const std::filesystem::path& output)
 {
   stage_start_ = Clock::now();
@@ -170,6 +266,8 @@ Summary Laboratory::run(const std::filesystem::path& output)
   if (p.test == "single-rib tension") tension(p.direction, true, output);
   if (all || p.test == "aperture stability") stability(output);
   if (all || p.test == "flexural overhang") overhang(all ? "along" : p.direction, output);
+  if (p.test == "supports and loads") loaded(output);
+  if (p.test == "modes") modes(output);
   if (all)
     add_row("mass per area", "mass_per_area_kg_per_m2", "kg/m2", product_.mass_per_area(),
             parameters_.data_sheet.mass_per_area);

@@ -5,8 +5,10 @@
 #include "coupling/history.h"
 #include "coupling/laboratory_parameters.h"
 #include "coupling/monitor.h"
+#include "coupling/node_conditions.h"
 #include "coupling/summary.h"
 #include "fem/laboratory.h"
+#include "fem/modes.h"
 
 #include <chrono>
 #include <filesystem>
@@ -36,12 +38,16 @@ private:
     double measured = 0, stated = 0; // stated 0: not stated
   };
 
+  void check_sets() const;
+  std::unique_ptr<fem::StaticSolver> supported_piece() const;
   fem::LaboratoryProgress progress(const std::string& stage) const;
   void finish(const std::string& test, const std::vector<std::string>& columns,
               const fem::LaboratoryTest& result, const std::filesystem::path& output);
   void tension(const std::string& direction, bool single_rib, const std::filesystem::path& output);
   void stability(const std::filesystem::path& output);
   void overhang(const std::string& direction, const std::filesystem::path& output);
+  void loaded(const std::filesystem::path& output);
+  void modes(const std::filesystem::path& output);
   void add_row(const std::string& quantity, const std::string& key, const std::string& unit,
                double measured, double stated);
   void write_table(const std::filesystem::path& file) const;
@@ -50,6 +56,8 @@ private:
   LaboratoryParameters parameters_;
   Monitor monitor_;
   fem::GeogridProduct product_;
+  std::vector<SupportCondition> supports_;
+  std::vector<LoadCondition> loads_;
   std::unique_ptr<History> history_;
   std::vector<Row> rows_;
   Summary summary_;

@@ -10,11 +10,15 @@ void declare_ribs(ParameterTable& table, ProductRibsParameters& ribs, const std:
   table.require("Rib width " + direction, ribs.width, positive, "Width" + of + ". [m]");
   table.require("Rib thickness " + direction, ribs.thickness, positive,
                 "Thickness" + of + ", between two junctions. [m]");
+  const std::string secant = "Force per width over strain of the sheet pulled " + direction;
   table.offer("Youngs modulus " + direction, ribs.youngs_modulus, 0, not_negative,
-              "Young's modulus" + of + "; 0: that of the secant stiffness. [Pa]");
-  table.offer("Secant stiffness " + direction, ribs.secant_stiffness_2, 0, not_negative,
-              "Force per width over strain of the sheet pulled " + direction +
-                  ", at 2 % strain; 0: that of Young's modulus. [N/m]");
+              "Young's modulus" + of + "; 0: that of the stiffness of the sheet. [Pa]");
+  table.offer("Stiffness at 2 % " + direction, ribs.stiffness_2, 0, not_negative,
+              secant + ", at 2 % strain; 0: that of Young's modulus. [N/m]");
+  table.offer("Stiffness at 5 % " + direction, ribs.stiffness_5, 0, not_negative,
+              secant + ", at 5 % strain; 0: the same as at 2 %. [N/m]");
+  table.offer("Strength " + direction, ribs.strength, 0, not_negative,
+              "Force per width at which ribs that run " + direction + " yield; 0: never. [N/m]");
 }
 
 void declare_product(ParameterTable& table, ProductParameters& product)
@@ -39,7 +43,7 @@ void declare_test(ParameterTable& table, LaboratoryTestParameters& test)
   table.open_section("Laboratory");
   table.require_choice("Test", test.test,
                        {"data sheet", "wide-width tension", "single-rib tension",
-                        "aperture stability", "flexural overhang"},
+                        "aperture stability", "flexural overhang", "supports and loads", "modes"},
                        "One test, or all that a data sheet states.");
   table.offer_choice(
       "Direction", test.direction, "along", {"along", "across"},
@@ -52,6 +56,21 @@ void declare_test(ParameterTable& table, LaboratoryTestParameters& test)
   table.offer("Steps", test.steps, 25, {1, 100000, true}, "Equal steps of a test. [-]");
   table.offer("Strip ribs", test.strip_ribs, 3, {1, 1000, true},
               "Number of ribs along the strip of the overhang test. [-]");
+  table.offer("Apertures along", test.apertures_along, 4, {1, 1000, true},
+              "Apertures of the piece for supports and loads, and for modes. [-]");
+  table.offer("Apertures across", test.apertures_across, 4, {1, 1000, true},
+              "The same in the other direction. [-]");
+  table.offer_text(
+      "Supports", test.supports,
+      "For supports and loads, and for modes: SET: FREEDOMS; ..., such as \"front: all; "
+      "back: x=0.002 y z\" with sets front, back, left, right, rim, middle, everywhere "
+      "and freedoms x y z (m), rx ry rz (rad), all.");
+  table.offer_text(
+      "Loads", test.loads,
+      "For supports and loads: SET: COMPONENTS; ..., such as \"middle: fz=-5 mx=0.1\" with "
+      "fx fy fz (N), mx my mz (N m), shared equally by the nodes of the set.");
+  table.offer("Modes", test.modes, 10, {1, 10000, true},
+              "Number of natural frequencies, from the lowest. [-]");
   table.offer("Gravity", test.gravity, 9.81, positive, "Acceleration of gravity. [m/s2]");
 }
 
@@ -77,10 +96,13 @@ void check_ribs(const ProductRibsParameters& ribs, double neighbour_pitch,
   if (ribs.width >= neighbour_pitch)
     problems.add("Product/Rib width " + direction, "Ribs that run ", direction, " are ", ribs.width,
                  " m wide, but their pitch is ", neighbour_pitch, " m: they overlap.");
-  if ((ribs.youngs_modulus > 0) == (ribs.secant_stiffness_2 > 0))
+  if ((ribs.youngs_modulus > 0) == (ribs.stiffness_2 > 0))
     problems.add("Product/Youngs modulus " + direction,
-                 "Either Young's modulus or the secant stiffness ", direction,
-                 " must be given, for example a secant stiffness of 205000 N/m.");
+                 "Either Young's modulus or the stiffness at 2 % ", direction,
+                 " must be given, for example a stiffness of 205000 N/m.");
+  if (ribs.stiffness_5 > 0 && ribs.stiffness_2 <= 0)
+    problems.add("Product/Stiffness at 5 % " + direction,
+                 "It needs the stiffness at 2 %, which is not given.");
 }
 } // namespace
 

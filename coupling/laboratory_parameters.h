@@ -11,8 +11,10 @@ struct ProductRibsParameters {
   double width = 0;          // in the plane of the geogrid [m]
   double thickness = 0;      // [m]
   double youngs_modulus = 0; // 0: from the secant stiffness [Pa]
-  double secant_stiffness_2 =
-      0; // of the sheet at 2 % strain, force per width over strain; 0: from the modulus [N/m]
+  // Of the sheet, force per width over strain [N/m]; 0: linear, from the modulus.
+  double stiffness_2 = 0; // at 2 % strain
+  double stiffness_5 = 0; // at 5 % strain; 0: that at 2 %
+  double strength = 0;    // largest force per width [N/m]; 0: no yield
 };
 
 struct ProductParameters {
@@ -33,6 +35,10 @@ struct LaboratoryTestParameters {
   int steps = 0;                   // of a path
   int strip_ribs = 0;              // width of the overhanging strip
   double gravity = 0;              // [m/s2]
+  // Of supports and loads, and of modes.
+  int apertures_along = 0, apertures_across = 0; // of the piece
+  std::string supports, loads;                   // node_conditions.h
+  int modes = 0;                                 // number of frequencies
 };
 
 // What the manufacturer states; 0: not stated. Printed beside what was measured, never used.

@@ -1,5 +1,6 @@
 #include "coupling/lattice_output.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace interlock::coupling
@@ -40,5 +41,29 @@ void write_lattice(const std::filesystem::path& stem, const fem::StaticSolver& s
       solver.lattice(), [&](int node) { return solver.position(node); },
       [&](int e) { return solver.section_forces(e); });
   XdmfSeries(stem, XdmfSeries::Topology::lines).write(0, frame.points, frame.lines, frame.fields);
+}
+
+void write_modes(const std::filesystem::path& stem, const fem::Lattice& lattice,
+                 const std::vector<fem::NaturalMode>& modes)
+{
+  Eigen::Vector3d low = lattice.reference_position(0), high = low;
+  for (int i = 0; i < lattice.n_nodes(); ++i) {
+    low = low.cwiseMin(lattice.reference_position(i));
+    high = high.cwiseMax(lattice.reference_position(i));
+  }
+  XdmfSeries series(stem, XdmfSeries::Topology::lines);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    double largest = 0;
+    for (const auto& u : modes[m].shape) largest = std::max(largest, u.head<3>().norm());
+    const double scale = largest > 0 ? 0.1 * (high - low).norm() / largest : 0;
+    LatticeFields frame = lattice_fields(
+        lattice,
+        [&](int node) -> Eigen::Vector3d {
+          return lattice.reference_position(node) + scale * modes[m].shape[node].head<3>();
+        },
+        [](int) { return fem::SectionForces{}; });
+    frame.fields.resize(1);
+    series.write(static_cast<double>(m + 1), frame.points, frame.lines, frame.fields);
+  }
 }
 } // namespace interlock::coupling

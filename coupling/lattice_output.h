@@ -3,6 +3,7 @@
 
 #include "coupling/field_output.h"
 #include "fem/lattice.h"
+#include "fem/modes.h"
 #include "fem/section_forces.h"
 #include "fem/static_solver.h"
 
@@ -25,4 +26,9 @@ LatticeFields lattice_fields(const fem::Lattice& lattice,
 
 // One frame of a lattice in equilibrium: STEM.xdmf, STEM.h5.
 void write_lattice(const std::filesystem::path& stem, const fem::StaticSolver& solver);
+
+// A frame a mode, numbered from 1 as its time: shapes scaled so that the largest displacement is a
+// tenth of the lattice's size, with `displacement` [m].
+void write_modes(const std::filesystem::path& stem, const fem::Lattice& lattice,
+                 const std::vector<fem::NaturalMode>& modes);
 } // namespace interlock::coupling

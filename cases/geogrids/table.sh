@@ -12,7 +12,6 @@ folder="${1:-results/geogrids}"
 runs=()
 for case in "$here"/*.prm; do
   product="$(basename "$case" .prm)"
-  [ "$product" = laboratory ] && continue
   "$interlock" run "$case" -o "$folder/$product"
   runs+=("$folder/$product")
 done
