@@ -48,7 +48,7 @@ LoadStep::LoadStep(const StaticState& state, const StaticOptions& options, doubl
 {
   const Lattice& lattice = state.lattice;
   for (const StaticState::Support& support : state.supports) {
-    const unsigned int dof = lattice.first_dof(support.node) + support.component;
+    const unsigned int dof = lattice.dof(support.node, support.component);
     constraints_.add_line(dof);
     constraints_.set_inhomogeneity(dof,
                                    support.value * (support.component < 3 ? share : increment));
@@ -59,12 +59,14 @@ LoadStep::LoadStep(const StaticState& state, const StaticOptions& options, doubl
   const dealii::DoFHandler<1, 3>& dof_handler = lattice.mesh().dof_handler();
   dealii::DynamicSparsityPattern sparsity(dof_handler.n_dofs());
   dealii::DoFTools::make_sparsity_pattern(dof_handler, sparsity, constraints_, true);
+  for (int i = 0; i < lattice.n_springs(); ++i)
+    constraints_.add_entries_local_to_global(spring_dofs(i), sparsity, true);
   matrix_.reinit(sparsity);
 
   solution_.reinit(dof_handler.n_dofs());
   for (int i = 0; i < lattice.n_nodes(); ++i)
     for (int c = 0; c < 3; ++c)
-      solution_[lattice.first_dof(i) + c] = (state.position[i] - lattice.reference_position(i))[c];
+      solution_[lattice.dof(i, c)] = (state.position[i] - lattice.reference_position(i))[c];
   constraints_.distribute(solution_);
 
   for (int e = 0; e < lattice.n_elements(); ++e) {
@@ -82,6 +84,14 @@ dealii::Vector<double> LoadStep::constrained_copy(Vec x) const
   VecRestoreArrayRead(x, &values);
   constraints_.distribute(copy);
   return copy;
+}
+
+SpringTangent LoadStep::spring_tangent_at(int s, const dealii::Vector<double>& x) const
+{
+  const std::array<int, 2>& node = state_.lattice.spring(s).node;
+  return spring_tangent(state_.lattice.spring(s),
+                        {state_.orientation[node[0]], state_.orientation[node[1]]},
+                        {at(x, node[0], 3), at(x, node[1], 3)});
 }
 
 BeamTangent LoadStep::element_tangent(int e, const dealii::Vector<double>& x) const
@@ -102,7 +112,16 @@ std::vector<unsigned int> LoadStep::element_dofs(int e) const
 {
   std::vector<unsigned int> dofs;
   for (const int node : state_.lattice.element(e).node)
-    for (unsigned int c = 0; c < 6; ++c) dofs.push_back(state_.lattice.first_dof(node) + c);
+    for (unsigned int c = 0; c < 6; ++c) dofs.push_back(state_.lattice.dof(node, c));
+  return dofs;
+}
+
+// Rotations of both nodes.
+std::vector<unsigned int> LoadStep::spring_dofs(int s) const
+{
+  std::vector<unsigned int> dofs;
+  for (const int node : state_.lattice.spring(s).node)
+    for (unsigned int c = 3; c < 6; ++c) dofs.push_back(state_.lattice.dof(node, c));
   return dofs;
 }
 
@@ -117,9 +136,14 @@ PetscErrorCode LoadStep::residual(SNES, Vec x, Vec f, void* self)
     std::copy(tangent.force.begin(), tangent.force.end(), local.begin());
     step.constraints_.distribute_local_to_global(local, step.element_dofs(e), sum);
   }
+  local.reinit(6);
+  for (int s = 0; s < lattice.n_springs(); ++s) {
+    const SpringTangent tangent = step.spring_tangent_at(s, state);
+    std::copy(tangent.moment.begin(), tangent.moment.end(), local.begin());
+    step.constraints_.distribute_local_to_global(local, step.spring_dofs(s), sum);
+  }
   for (int i = 0; i < lattice.n_nodes(); ++i)
-    for (int c = 0; c < 6; ++c)
-      sum[lattice.first_dof(i) + c] -= step.share_ * step.state_.loads[i][c];
+    for (int c = 0; c < 6; ++c) sum[lattice.dof(i, c)] -= step.share_ * step.state_.loads[i][c];
   step.constraints_.set_zero(sum);
 
   PetscScalar* values = nullptr;
@@ -140,6 +164,13 @@ PetscErrorCode LoadStep::jacobian(SNES, Vec x, Mat, Mat, void* self)
     for (int i = 0; i < 12; ++i)
       for (int j = 0; j < 12; ++j) local(i, j) = tangent.stiffness(i, j);
     step.constraints_.distribute_local_to_global(local, step.element_dofs(e), step.matrix_);
+  }
+  local.reinit(6, 6);
+  for (int s = 0; s < step.state_.lattice.n_springs(); ++s) {
+    const SpringTangent tangent = step.spring_tangent_at(s, state);
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) local(i, j) = tangent.stiffness(i, j);
+    step.constraints_.distribute_local_to_global(local, step.spring_dofs(s), step.matrix_);
   }
   // Fixed and tied freedoms are rows of the identity: their residual is zero, so they stay as they
   // are.

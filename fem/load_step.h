@@ -45,12 +45,14 @@ private:
 
   Eigen::Vector3d at(const dealii::Vector<double>& x, int node, int first) const
   {
-    const unsigned int dof = state_.lattice.first_dof(node) + first;
+    const unsigned int dof = state_.lattice.dof(node, first);
     return {x[dof], x[dof + 1], x[dof + 2]};
   }
   dealii::Vector<double> constrained_copy(Vec x) const;
   BeamTangent element_tangent(int e, const dealii::Vector<double>& x) const;
+  SpringTangent spring_tangent_at(int s, const dealii::Vector<double>& x) const;
   std::vector<unsigned int> element_dofs(int e) const;
+  std::vector<unsigned int> spring_dofs(int s) const;
 
   const StaticState& state_;
   const StaticOptions& options_;
