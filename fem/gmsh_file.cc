@@ -88,6 +88,15 @@ NodeIndex read_nodes(GmshFile& file)
   return index;
 }
 
+int node_at(const std::string& path, const NodeIndex& index, std::size_t tag)
+{
+  const auto node = index.find(tag);
+  if (node == index.end())
+    throw std::runtime_error(gmsh_file_name(path) + " refers to node " + std::to_string(tag) +
+                             ", which it does not have.");
+  return node->second;
+}
+
 // Name of the one group of a curve.
 std::string curve_group(const std::string& path, int curve)
 {
@@ -105,6 +114,19 @@ std::string curve_group(const std::string& path, int curve)
   return group_name(1, tags[0]);
 }
 
+// Gmsh takes all elements of a curve for the type of the first one: listed by type it counts them
+// all, but it returns those of that type only.
+void require_first_order(const std::string& path, int curve, int type, std::size_t listed)
+{
+  constexpr int two_node_line = 1;
+  std::vector<std::size_t> elements, nodes;
+  gmsh::model::mesh::getElementsByType(type, elements, nodes, curve);
+  if (type != two_node_line || elements.size() != listed)
+    throw std::runtime_error(gmsh_file_name(path) + " has line elements, those of curve " +
+                             std::to_string(curve) +
+                             ", of higher order, but only those with 2 nodes are read.");
+}
+
 void read_lines(const std::string& path, const NodeIndex& index, GmshFile& file)
 {
   std::map<std::size_t, GmshFile::Line> by_number;
@@ -116,29 +138,24 @@ void read_lines(const std::string& path, const NodeIndex& index, GmshFile& file)
     gmsh::model::mesh::getElements(types, elements, nodes, 1, curve);
     if (types.empty()) continue;
     const std::string group = curve_group(path, curve);
-    for (std::size_t t = 0; t < types.size(); ++t) {
-      if (nodes[t].size() != 2 * elements[t].size())
-        throw std::runtime_error(
-            gmsh_file_name(path) + " has line elements, those of curve " + std::to_string(curve) +
-            ", with " + std::to_string(nodes[t].size() / elements[t].size()) +
-            " nodes but only elements of first order, with 2 nodes, are read.");
-      for (std::size_t i = 0; i < elements[t].size(); ++i)
-        by_number[elements[t][i]] = {{index.at(nodes[t][2 * i]), index.at(nodes[t][2 * i + 1])},
-                                     group};
-    }
+    require_first_order(path, curve, types.front(), elements.front().size());
+    for (std::size_t i = 0; i < elements[0].size(); ++i)
+      by_number[elements[0][i]] = {
+          {node_at(path, index, nodes[0][2 * i]), node_at(path, index, nodes[0][2 * i + 1])},
+          group};
   }
   for (auto& [number, line] : by_number) file.lines.push_back(std::move(line));
   if (file.lines.empty()) throw std::runtime_error(gmsh_file_name(path) + " has no line elements.");
 }
 
-void read_point_groups(const NodeIndex& index, GmshFile& file)
+void read_point_groups(const std::string& path, const NodeIndex& index, GmshFile& file)
 {
   for (const int tag : group_tags(0)) {
     std::vector<std::size_t> nodes;
     std::vector<double> x;
     gmsh::model::mesh::getNodesForPhysicalGroup(0, tag, nodes, x);
     std::vector<int>& group = file.point_groups[group_name(0, tag)];
-    for (const std::size_t node : nodes) group.push_back(index.at(node));
+    for (const std::size_t node : nodes) group.push_back(node_at(path, index, node));
     std::sort(group.begin(), group.end());
   }
 }
@@ -157,7 +174,7 @@ GmshFile read_gmsh_file(const std::string& path)
   GmshFile file;
   const NodeIndex index = read_nodes(file);
   read_lines(path, index, file);
-  read_point_groups(index, file);
+  read_point_groups(path, index, file);
   return file;
 }
 } // namespace interlock::fem

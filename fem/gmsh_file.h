@@ -24,7 +24,7 @@ struct GmshFile {
 // name is called by its number. Elements of higher dimension are left out.
 // Throws std::runtime_error, one sentence that starts with the file, when the file cannot be read,
 // is no Gmsh file, is refused by Gmsh, has no line element, or has line elements that belong to
-// none or to several groups or have more than two nodes.
+// none or to several groups or have more than two nodes each.
 GmshFile read_gmsh_file(const std::string& path);
 
 // The beginning of every such sentence: Lattice file "path"

@@ -48,9 +48,11 @@ struct GmshText {
     for (const Line& line : lines)
       out << ++number << " 1 2 " << line.group + 1 << ' ' << line.group + 1 << ' ' << line.a + 1
           << ' ' << line.b + 1 << '\n';
-    for (const Point& point : points)
-      out << ++number << " 15 2 " << point_group(point.group) << ' ' << number << ' '
+    for (const Point& point : points) {
+      ++number;
+      out << number << " 15 2 " << point_group(point.group) << ' ' << number << ' '
           << point.node + 1 << '\n';
+    }
     out << "$EndElements\n";
     return out.str();
   }

@@ -89,7 +89,10 @@ TEST_F(LatticeFile, BrokenFilesAreRefused)
   refuse(write("cut.msh", whole.substr(0, whole.find("$EndNodes") - 20)).string(), {});
   std::string stray = whole;
   stray.replace(stray.find("\n4 1 2 1 1 1 5"), 14, "\n4 1 2 1 1 1 9"); // a node that is not there
-  refuse(write("stray.msh", stray).string(), {});
+  refuse(write("stray.msh", stray).string(), {"9"});
+  stray = cross().version_4();
+  stray.replace(stray.find("\n4 1 5\n"), 7, "\n4 1 9\n");
+  refuse(write("stray4.msh", stray).string(), {"9"});
 }
 
 TEST_F(LatticeFile, LinesAndTheirGroupsAreNeeded)
@@ -106,9 +109,13 @@ TEST_F(LatticeFile, LinesAndTheirGroupsAreNeeded)
     none.replace(at, 9, " 1 2 0 1 ");
   refuse(write("none.msh", none).string(), {"no physical group"});
 
+  std::string mixed = text.version_2();
+  mixed.replace(mixed.find("\n4 1 2 1 1 1 5"), 14, "\n4 8 2 1 1 1 5 2");
+  refuse(write("mixed.msh", mixed).string(), {"curve 1", "higher order", "2 nodes"});
   std::string second_order = text.version_2();
-  second_order.replace(second_order.find("\n4 1 2 1 1 1 5"), 14, "\n4 8 2 1 1 1 5 2");
-  refuse(write("second.msh", second_order).string(), {"3 nodes", "first order"});
+  second_order.replace(second_order.find("$Elements"), std::string::npos,
+                       "$Elements\n1\n1 8 2 1 1 2 3 1\n$EndElements\n");
+  refuse(write("second.msh", second_order).string(), {"curve 1", "higher order", "2 nodes"});
 }
 
 TEST_F(LatticeFile, GroupsAndSectionsMustMatch)
