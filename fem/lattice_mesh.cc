@@ -2,9 +2,15 @@
 
 #include "fem/number_text.h"
 
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_renumbering.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace interlock::fem
@@ -52,6 +58,28 @@ double coincidence_tolerance(const dealii::Triangulation<1, 3>& triangulation)
 {
   return 1e-6 * dealii::GridTools::minimal_cell_diameter(triangulation);
 }
+
+// Which cells share a vertex or a junction.
+dealii::SparsityPattern neighbours(const dealii::DoFHandler<1, 3>& dof_handler,
+                                   const dealii::AffineConstraints<double>& ties)
+{
+  std::map<dealii::types::global_dof_index, std::vector<unsigned int>> cells_at;
+  for (const auto& cell : dof_handler.active_cell_iterators())
+    for (unsigned int v = 0; v < 2; ++v) {
+      const auto dof = cell->vertex_dof_index(v, 0);
+      const auto* master = ties.get_constraint_entries(dof);
+      cells_at[master == nullptr ? dof : master->front().first].push_back(
+          cell->active_cell_index());
+    }
+  const unsigned int n_cells = dof_handler.get_triangulation().n_active_cells();
+  dealii::DynamicSparsityPattern graph(n_cells);
+  for (const auto& [dof, cells] : cells_at)
+    for (const unsigned int a : cells)
+      for (const unsigned int b : cells) graph.add(a, b);
+  dealii::SparsityPattern pattern;
+  pattern.copy_from(graph);
+  return pattern;
+}
 } // namespace
 
 LatticeMesh::LatticeMesh(const std::vector<RibLine>& lines, JunctionTies ties)
@@ -60,7 +88,25 @@ LatticeMesh::LatticeMesh(const std::vector<RibLine>& lines, JunctionTies ties)
   if (lines.empty()) throw std::invalid_argument("A lattice needs at least one rib line.");
   fill(triangulation_, lines);
   dof_handler_.distribute_dofs(element_);
-  tie_junctions(dof_handler_, coincidence_tolerance(triangulation_), ties, junction_ties_);
+  const double tolerance = coincidence_tolerance(triangulation_);
+  tie_junctions(dof_handler_, tolerance, ties, junction_ties_);
   junction_ties_.close();
+
+  const unsigned int n_parts = std::min(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                                        triangulation_.n_active_cells());
+  if (n_parts > 1) {
+    cut_into_parts(n_parts);
+    junction_ties_.clear();
+    tie_junctions(dof_handler_, tolerance, ties, junction_ties_);
+    junction_ties_.close();
+  }
+  part_freedoms_ = dealii::DoFTools::locally_owned_dofs_per_subdomain(dof_handler_);
+}
+
+void LatticeMesh::cut_into_parts(unsigned int n_parts)
+{
+  dealii::GridTools::partition_triangulation(n_parts, neighbours(dof_handler_, junction_ties_),
+                                             triangulation_);
+  dealii::DoFRenumbering::subdomain_wise(dof_handler_);
 }
 } // namespace interlock::fem

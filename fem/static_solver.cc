@@ -1,12 +1,15 @@
 #include "fem/static_solver.h"
 
+#include "fem/arc_length.h"
 #include "fem/beam_constants.h"
 #include "fem/beam_tangent.h"
 #include "fem/load_step.h"
 
 #include <petscsys.h>
 
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace interlock::fem
 {
@@ -20,26 +23,46 @@ void require_petsc()
     throw std::runtime_error(
         "The static solver needs PETSc: create a dealii::Utilities::MPI::MPI_InitFinalize first.");
 }
+
+// Loads and supports on the way from those of `state` to what is set, after `share` of the way, of
+// which this step makes `part`.
+struct Ramp {
+  std::vector<NodeLoad> loads;
+  std::vector<StaticState::Support> supports;
+};
+
+Ramp ramp(const StaticState& state, double share, double part)
+{
+  Ramp now{state.reached_loads, state.supports};
+  for (std::size_t i = 0; i < now.loads.size(); ++i)
+    now.loads[i] += share * (state.loads[i] - state.reached_loads[i]);
+  for (StaticState::Support& support : now.supports) {
+    const int c = support.component;
+    const double start =
+        c < 3 ? (state.position[support.node] - state.lattice.reference_position(support.node))[c]
+              : support.reached;
+    support.value =
+        c < 3 ? start + share * (support.value - start) : part * (support.value - start);
+  }
+  return now;
+}
+
+// A load step that does not converge is halved, up to six times.
+constexpr int finest = 64;
+
+std::string refusal(const LoadStep::Outcome& outcome, double step, int n_steps)
+{
+  std::ostringstream text;
+  if (outcome.singular())
+    text << "The lattice is not held: it can move as a rigid body or a mechanism, after load step "
+         << step << " of " << n_steps << ".";
+  else
+    text << "Newton's method stopped after load step " << step << " of " << n_steps
+         << ", after halving it six times: " << SNESConvergedReasons[outcome.reason] << " after "
+         << outcome.iterations << " iterations.";
+  return text.str();
+}
 } // namespace
-
-StaticState::StaticState(const Lattice& unloaded)
-    : lattice(unloaded), loads(unloaded.n_nodes(), Eigen::Matrix<double, 6, 1>::Zero()),
-      orientation(unloaded.n_nodes(), Eigen::Quaterniond::Identity())
-{
-  for (int i = 0; i < lattice.n_nodes(); ++i) position.push_back(lattice.reference_position(i));
-}
-
-std::array<Eigen::Vector3d, 2> StaticState::end_positions(int e) const
-{
-  const auto& node = lattice.element(e).node;
-  return {position[node[0]], position[node[1]]};
-}
-
-std::array<Eigen::Quaterniond, 2> StaticState::end_orientations(int e) const
-{
-  const auto& node = lattice.element(e).node;
-  return {orientation[node[0]], orientation[node[1]]};
-}
 
 StaticSolver::StaticSolver(const Lattice& lattice, const StaticOptions& options)
     : state_(lattice), options_(options)
@@ -77,18 +100,39 @@ void StaticSolver::add_load(int node, const Eigen::Vector3d& force, const Eigen:
 int StaticSolver::solve()
 {
   require_petsc();
+  require_held(state_);
+  LatticeSystem system(state_, options_.rbf, options_.communicator);
+  LoadStep step(system, state_, options_);
   int iterations = 0;
-  for (int k = 1; k <= options_.load_steps; ++k) {
-    LoadStep step(state_, options_, static_cast<double>(k) / options_.load_steps,
-                  1. / options_.load_steps);
-    iterations += step.solve();
-    for (int i = 0; i < state_.lattice.n_nodes(); ++i) {
-      state_.position[i] = state_.lattice.reference_position(i) + step.displacement(i);
-      state_.orientation[i] =
-          (rotation_exponential(step.turn(i)) * state_.orientation[i]).normalized();
+  const StaticState start = state_;
+  const double all = static_cast<double>(finest) * options_.load_steps; // of the finest steps
+  for (int done = 0, stride = finest; done < all;) {
+    const Ramp now = ramp(start, (done + stride) / all, stride / all);
+    const LoadStep::Outcome outcome = step.solve(now.loads, now.supports);
+    iterations += outcome.iterations;
+    factorisations_ += outcome.factorisations;
+    if (outcome.reason <= 0) {
+      stride /= 2;
+      if (outcome.singular() || stride == 0)
+        throw std::runtime_error(
+            refusal(outcome, static_cast<double>(done) / finest, options_.load_steps));
+      continue;
     }
+    state_.advance(step.solution());
+    state_.reached_loads = now.loads;
+    for (std::size_t s = 0; s < now.supports.size(); ++s)
+      if (now.supports[s].component >= 3) state_.supports[s].reached += now.supports[s].value;
+    done += stride;
+    if (stride < finest && done % (2 * stride) == 0) stride *= 2;
   }
   return iterations;
+}
+
+std::vector<PathPoint> StaticSolver::trace_path(const ArcLengthOptions& arc_length)
+{
+  require_petsc();
+  require_held(state_);
+  return ArcLength(state_, options_, arc_length).trace();
 }
 
 SectionForces StaticSolver::section_forces(int e) const
@@ -113,13 +157,13 @@ double StaticSolver::strain_energy() const
   return sum;
 }
 
-Eigen::Matrix<double, 6, 1> StaticSolver::reaction(int node) const
+NodeLoad StaticSolver::reaction(int node) const
 {
   const Lattice& lattice = state_.lattice;
-  Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+  NodeLoad sum = NodeLoad::Zero();
   // Joined nodes take the force together, each its own moment.
   for (const int joined : lattice.joined_nodes(node)) {
-    Eigen::Matrix<double, 6, 1> own = -state_.loads.at(joined);
+    NodeLoad own = -state_.reached_loads.at(joined);
     for (int e = 0; e < lattice.n_elements(); ++e)
       for (int v = 0; v < 2; ++v)
         if (lattice.element(e).node[v] == joined)
