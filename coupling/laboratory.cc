@@ -17,10 +17,10 @@ namespace
 constexpr double degree = M_PI / 180, standard_gravity = 9.80665;
 
 // Ribs of this Young's modulus, or those whose sheet has this stiffness and strength.
-fem::ProductRibs product_ribs(const ProductRibsParameters& parameters,
-                              const ProductParameters& product, double pitch)
+fem::RibProfile product_ribs(const ProductRibsParameters& parameters,
+                             const ProductParameters& product, double pitch)
 {
-  fem::ProductRibs ribs;
+  fem::RibProfile ribs;
   ribs.shape = {parameters.width, parameters.thickness, parameters.youngs_modulus,
                 product.poisson_ratio, product.density};
   fem::TensionLaw law;

@@ -19,11 +19,14 @@ struct ProductRibsParameters {
 
 struct ProductParameters {
   std::string name;
-  double pitch_along = 0;  // of the ribs that run across, centre to centre [m]
-  double pitch_across = 0; // of the ribs that run along [m]
+  std::string pattern = "biaxial"; // or triaxial
+  double pitch_along = 0;          // of the ribs that run across, centre to centre [m]
+  double pitch_across = 0;         // of the ribs that run along [m]
   ProductRibsParameters along, across;
-  double poisson_ratio = 0; // [-]
-  double density = 0;       // [kg/m3]
+  double poisson_ratio = 0;  // [-]
+  double density = 0;        // [kg/m3]
+  double junction_reach = 0; // distance from a junction up to which ribs are thicker; 0: none [m]
+  double junction_thickness = 0; // of the ribs there [m]
   int elements_per_rib = 8;
 };
 

@@ -52,8 +52,10 @@ double ArcLength::product(const Vector& a, const Vector& b) const
 {
   double sum = 0;
   for (int i = 0; i < state_.lattice.n_nodes(); ++i) {
-    const unsigned int dof = state_.lattice.first_dof(i);
-    for (unsigned int c = 0; c < 3; ++c) sum += a[dof + c] * b[dof + c];
+    for (int c = 0; c < 3; ++c) {
+      const unsigned int dof = state_.lattice.dof(i, c);
+      sum += a[dof] * b[dof];
+    }
   }
   return sum / state_.lattice.n_nodes();
 }

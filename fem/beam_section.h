@@ -26,10 +26,16 @@ struct BeamSection {
   double yield_force = std::numeric_limits<double>::infinity(); // N_y of TensionLaw [N]
 };
 
-// Section laws of a rib of rectangular cross-section.
-// Throws std::invalid_argument when a size, Young's modulus or the density is not positive or
-// Poisson's ratio is outside (-1, 0.5].
+// Section laws of a rib of rectangular or circular cross-section.
+// Throws std::invalid_argument when a size, Young's modulus or the density is not positive,
+// Poisson's ratio is outside (-1, 0.5], or width and thickness of a circle differ.
 BeamSection beam_section(const RibSection& rib);
+
+// Section laws as measured or as a product sheet gives them. Rotary inertias that are zero become
+// those of a homogeneous section, rho I = rho A (E I)/(E A) about e2 and e3 and their sum about e1.
+// Throws std::invalid_argument when a stiffness or the line density is not positive and finite or a
+// rotary inertia is negative.
+BeamSection given_section(BeamSection section);
 
 // Shear stiffness [N] of one element with the residual bending flexibility of its plane,
 // 1/S* = 1/S + h^2/(12 EI) (MacNeal, Computers & Structures 8 (1978) 175-183): it gives the

@@ -1,20 +1,9 @@
 #include "fem/biaxial_layout.h"
 
-#include <stdexcept>
-#include <string>
+#include "fem/layout_checks.h"
 
 namespace interlock::fem
 {
-namespace
-{
-void require_positive(double value, const char* name)
-{
-  if (!(value > 0))
-    throw std::invalid_argument("The " + std::string(name) + " of a geogrid is " +
-                                std::to_string(value) + " but must be positive.");
-}
-} // namespace
-
 std::vector<RibLine> rib_lines(const BiaxialLayout& layout)
 {
   require_positive(layout.apertures_along, "number of apertures along the pull");
@@ -22,6 +11,8 @@ std::vector<RibLine> rib_lines(const BiaxialLayout& layout)
   require_positive(layout.pitch_along, "pitch along the pull");
   require_positive(layout.pitch_across, "pitch across the pull");
   require_positive(layout.elements_per_rib, "number of elements per rib");
+  require_gap(layout.section_along.width, layout.pitch_across, "width of ribs along the pull");
+  require_gap(layout.section_across.width, layout.pitch_along, "width of ribs across the pull");
 
   // One expression for every vertex, so that vertices of crossing lines are equal to the last
   // digit.

@@ -26,7 +26,7 @@ struct BiaxialLayout {
 
 // The rib lines: longitudinal ribs from small to large y, each from small to large x, then
 // transverse ribs from small to large x, each from small to large y. Element vertices coincide at
-// the junctions. Throws std::invalid_argument when a count or a pitch is not positive or a section
-// is not valid.
+// the junctions. Throws std::invalid_argument when a count or a pitch is not positive, a section is
+// not valid, or ribs are as wide as their pitch.
 std::vector<RibLine> rib_lines(const BiaxialLayout& layout);
 } // namespace interlock::fem

@@ -34,6 +34,11 @@ ExplicitDynamics::ExplicitDynamics(const Lattice& lattice, const DynamicsOptions
       nodes_(lump_inertia(lattice, options.spherical_inertia)),
       frequency_(beam_frequency(lattice, nodes_, options.spherical_inertia, options.rbf))
 {
+  if (lattice.n_springs() > 0)
+    throw std::invalid_argument("The explicit integrator takes lattices with rigid junctions only, "
+                                "but this one has " +
+                                std::to_string(lattice.n_springs()) +
+                                " rotational springs at its junctions.");
   number_slots();
   size_lanes();
   fill_beam_constants();

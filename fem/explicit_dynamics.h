@@ -66,7 +66,9 @@ struct LatticeState {
 class ExplicitDynamics
 {
 public:
-  // Starts in the unloaded state at rest. Keeps its own copy of the lattice.
+  // Starts in the unloaded state at rest. Keeps its own copy of the lattice. Throws
+  // std::invalid_argument when junctions have rotational stiffness: slots of a junction move as
+  // one.
   ExplicitDynamics(const Lattice& lattice, const DynamicsOptions& options);
 
   const Lattice& lattice() const { return lattice_; }

@@ -29,6 +29,12 @@ std::vector<int> nodes_where(const Lattice& lattice,
   return nodes;
 }
 
+void require_biaxial(const GeogridProduct& product, const std::string& test)
+{
+  if (product.pattern != Pattern::biaxial)
+    throw std::invalid_argument(test + " is offered for biaxial geogrids only.");
+}
+
 // Pulls the nodes at x = `length` away from those at x = 0. `width` [m] is what the force is spread
 // over.
 LaboratoryTest pull(const Lattice& lattice, double length, double width, double largest_strain,
@@ -73,16 +79,16 @@ LaboratoryTest wide_width_tension(const GeogridProduct& product, double largest_
 {
   const int along =
       std::max(2, static_cast<int>(std::ceil(tension_length / product.pitch_along - 1e-9)));
-  const int across =
-      std::max(1, static_cast<int>(std::round(tension_width / product.pitch_across)) - 1);
-  const double width = (across + 1) * product.pitch_across;
-  return pull(piece(product, along, across), along * product.pitch_along, width, largest_strain,
-              steps, progress);
+  const double ribs = std::round(tension_width / product.pitch_across);
+  const int across = std::max(1, static_cast<int>(ribs) - (product.pattern == Pattern::biaxial));
+  return pull(piece(product, along, across), length_of_piece(product, along),
+              width_of_piece(product, across), largest_strain, steps, progress);
 }
 
 LaboratoryTest single_rib_tension(const GeogridProduct& product, double largest_strain, int steps,
                                   const LaboratoryProgress& progress)
 {
+  require_biaxial(product, "Single-rib tension");
   const double length = product.pitch_along;
   const Lattice rib({straight_line({0, 0, 0}, {length, 0, 0}, product.elements_per_rib,
                                    product.ribs_along.section)});
@@ -97,9 +103,10 @@ LaboratoryTest aperture_stability(const GeogridProduct& product, double largest_
   };
   const int along = even_number(product.pitch_along), across = even_number(product.pitch_across);
   const Lattice lattice = piece(product, along, across);
-  const double length = along * product.pitch_along,
-               half_width = 0.5 * across * product.pitch_across;
-  const double near = 1e-6 * length;
+  const double length = length_of_piece(product, along), near = 1e-6 * length;
+  // Every second row of triangles ends half a side before the edge.
+  const double half_width = 0.5 * across * product.pitch_across -
+                            (product.pattern == Pattern::triaxial ? 0.5 * product.pitch_across : 0);
   LaboratoryTest test;
   test.solver = std::make_unique<StaticSolver>(lattice, one_step());
   test.solver->clamp(nodes_where(lattice, [&](const Eigen::Vector3d& x) {

@@ -1,6 +1,6 @@
 #include "fem/lattice_mesh.h"
 
-#include "fem/junctions.h"
+#include "fem/number_text.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_renumbering.h>
@@ -17,15 +17,29 @@ namespace interlock::fem
 {
 namespace
 {
+void check_line(const RibLine& line, std::size_t l)
+{
+  const std::string name = "Rib line " + std::to_string(l);
+  const std::size_t n = line.points.size();
+  if (n < 2)
+    throw std::invalid_argument(name + " has " + std::to_string(n) +
+                                " points but needs at least 2.");
+  for (std::size_t p = 1; p < n; ++p)
+    if (!((line.points[p] - line.points[p - 1]).norm() > 0))
+      throw std::invalid_argument(name + " has an element without length at " +
+                                  point_text(line.points[p]) + " m.");
+  if (!line.profiles.empty() && line.profiles.size() != n - 1)
+    throw std::invalid_argument(name + " has " + std::to_string(line.profiles.size()) +
+                                " profiles but needs none or one for each of its " +
+                                std::to_string(n - 1) + " elements.");
+}
+
 void fill(dealii::Triangulation<1, 3>& triangulation, const std::vector<RibLine>& lines)
 {
   std::vector<dealii::Point<3>> vertices;
   std::vector<dealii::CellData<1>> cells;
   for (std::size_t l = 0; l < lines.size(); ++l) {
-    if (lines[l].points.size() < 2)
-      throw std::invalid_argument("Rib line " + std::to_string(l) + " has " +
-                                  std::to_string(lines[l].points.size()) +
-                                  " points but needs at least 2.");
+    check_line(lines[l], l);
     for (std::size_t p = 0; p < lines[l].points.size(); ++p) {
       const Eigen::Vector3d& x = lines[l].points[p];
       vertices.emplace_back(x[0], x[1], x[2]);
@@ -68,14 +82,14 @@ dealii::SparsityPattern neighbours(const dealii::DoFHandler<1, 3>& dof_handler,
 }
 } // namespace
 
-LatticeMesh::LatticeMesh(const std::vector<RibLine>& lines)
+LatticeMesh::LatticeMesh(const std::vector<RibLine>& lines, JunctionTies ties)
     : element_(dealii::FE_Q<1, 3>(1), 6), dof_handler_(triangulation_)
 {
   if (lines.empty()) throw std::invalid_argument("A lattice needs at least one rib line.");
   fill(triangulation_, lines);
   dof_handler_.distribute_dofs(element_);
   const double tolerance = coincidence_tolerance(triangulation_);
-  tie_junctions(dof_handler_, tolerance, junction_ties_);
+  tie_junctions(dof_handler_, tolerance, ties, junction_ties_);
   junction_ties_.close();
 
   // The explicit integrator runs without MPI too.
@@ -86,7 +100,7 @@ LatticeMesh::LatticeMesh(const std::vector<RibLine>& lines)
   if (n_parts > 1) {
     cut_into_parts(n_parts);
     junction_ties_.clear();
-    tie_junctions(dof_handler_, tolerance, junction_ties_);
+    tie_junctions(dof_handler_, tolerance, ties, junction_ties_);
     junction_ties_.close();
   }
   part_freedoms_ = dealii::DoFTools::locally_owned_dofs_per_subdomain(dof_handler_);

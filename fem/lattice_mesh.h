@@ -1,6 +1,7 @@
 // The deal.II side of a lattice: mesh, element, numbering, junction ties.
 #pragma once
 
+#include "fem/junctions.h"
 #include "fem/rib_line.h"
 
 #include <deal.II/base/index_set.h>
@@ -24,8 +25,9 @@ namespace interlock::fem
 class LatticeMesh
 {
 public:
-  // Throws std::invalid_argument for a line with fewer than two points.
-  explicit LatticeMesh(const std::vector<RibLine>& lines);
+  // Throws std::invalid_argument for a line with fewer than two points, one with two successive
+  // points at the same place, or one whose profiles are not one an element.
+  LatticeMesh(const std::vector<RibLine>& lines, JunctionTies ties);
 
   const dealii::DoFHandler<1, 3>& dof_handler() const { return dof_handler_; }
 

@@ -29,11 +29,32 @@ ElementMotion element_motion(const Lattice& lattice, int e, const dealii::Vector
   ElementMotion motion;
   for (int v = 0; v < 2; ++v) {
     const int node = lattice.element(e).node[v];
-    const unsigned int dof = lattice.first_dof(node);
-    motion.position[v] = lattice.reference_position(node) + triple_at(x, dof);
-    motion.turn[v] = triple_at(x, dof + 3);
+    motion.position[v] = lattice.reference_position(node) + triple_at(x, lattice.dof(node, 0));
+    motion.turn[v] = triple_at(x, lattice.dof(node, 3));
   }
   return motion;
+}
+
+std::array<Eigen::Quaterniond, 2> spring_orientations(const StaticState& state,
+                                                      const RotationalSpring& spring)
+{
+  return {state.orientation[spring.node[0]], state.orientation[spring.node[1]]};
+}
+
+std::array<Eigen::Vector3d, 2> spring_turns(const Lattice& lattice, const RotationalSpring& spring,
+                                            const dealii::Vector<double>& x)
+{
+  return {triple_at(x, lattice.dof(spring.node[0], 3)),
+          triple_at(x, lattice.dof(spring.node[1], 3))};
+}
+
+// Rotations of both nodes.
+std::vector<unsigned int> spring_dofs(const Lattice& lattice, const RotationalSpring& spring)
+{
+  std::vector<unsigned int> dofs;
+  for (const int node : spring.node)
+    for (int c = 3; c < 6; ++c) dofs.push_back(lattice.dof(node, c));
+  return dofs;
 }
 } // namespace
 
@@ -54,6 +75,9 @@ LatticeSystem::LatticeSystem(const StaticState& state, bool rbf, MPI_Comm commun
     if (is_mine(static_cast<int>(cell->subdomain_id()))) elements_.push_back(e);
     ++e;
   }
+  for (int s = 0; s < state.lattice.n_springs(); ++s)
+    if (owned_.is_element(state.lattice.dof(state.lattice.spring(s).node[0], 3)))
+      springs_.push_back(s);
 
   VecScatter scatter = nullptr;
   Vec all = nullptr;
@@ -68,7 +92,7 @@ void LatticeSystem::set_supports(const std::vector<StaticState::Support>& suppor
   constraints_.clear();
   std::vector<unsigned int> prescribed;
   for (const StaticState::Support& support : supports) {
-    const unsigned int dof = state_.lattice.first_dof(support.node) + support.component;
+    const unsigned int dof = state_.lattice.dof(support.node, support.component);
     prescribed.push_back(dof);
     constraints_.add_line(dof);
     constraints_.set_inhomogeneity(dof, support.value);
@@ -86,6 +110,9 @@ void LatticeSystem::make_matrix()
   const dealii::DoFHandler<1, 3>& dof_handler = state_.lattice.mesh().dof_handler();
   dealii::DynamicSparsityPattern sparsity(dof_handler.n_dofs());
   dealii::DoFTools::make_sparsity_pattern(dof_handler, sparsity, constraints_, false);
+  for (int s = 0; s < state_.lattice.n_springs(); ++s)
+    constraints_.add_entries_local_to_global(spring_dofs(state_.lattice, state_.lattice.spring(s)),
+                                             sparsity, false);
   matrix_.reinit(owned_, owned_, sparsity, communicator_);
   set_rigid_body_modes();
 }
@@ -96,13 +123,12 @@ void LatticeSystem::set_rigid_body_modes()
   std::array<dealii::PETScWrappers::MPI::Vector, 6> modes;
   for (auto& mode : modes) mode = new_vector();
   for (int i = 0; i < state_.lattice.n_nodes(); ++i) {
-    const unsigned int dof = state_.lattice.first_dof(i);
-    if (!owned_.is_element(dof)) continue;
+    const auto put = [&](int mode, int component, double value) {
+      const unsigned int dof = state_.lattice.dof(i, component);
+      if (owned_.is_element(dof) && !constraints_.is_constrained(dof)) modes[mode](dof) = value;
+    };
     for (int axis = 0; axis < 3; ++axis) {
       const Eigen::Vector3d swing = Eigen::Vector3d::Unit(axis).cross(state_.position[i]);
-      const auto put = [&](int mode, int component, double value) {
-        if (!constraints_.is_constrained(dof + component)) modes[mode](dof + component) = value;
-      };
       put(axis, axis, 1);
       put(3 + axis, 3 + axis, 1);
       for (int c = 0; c < 3; ++c) put(3 + axis, c, swing[c]);
@@ -131,7 +157,7 @@ std::vector<unsigned int> LatticeSystem::element_dofs(int e) const
 {
   std::vector<unsigned int> dofs;
   for (const int node : state_.lattice.element(e).node)
-    for (unsigned int c = 0; c < 6; ++c) dofs.push_back(state_.lattice.first_dof(node) + c);
+    for (unsigned int c = 0; c < 6; ++c) dofs.push_back(state_.lattice.dof(node, c));
   return dofs;
 }
 
@@ -149,6 +175,16 @@ void LatticeSystem::internal_forces(const dealii::Vector<double>& x,
     std::copy(force.begin(), force.end(), local.begin());
     constraints_.distribute_local_to_global(local, element_dofs(e), sum);
   }
+  local.reinit(6);
+  for (const int s : springs_) {
+    const RotationalSpring& spring = state_.lattice.spring(s);
+    const Eigen::Matrix<double, 6, 1> moment =
+        spring_tangent(spring, spring_orientations(state_, spring),
+                       spring_turns(state_.lattice, spring, x))
+            .moment;
+    std::copy(moment.begin(), moment.end(), local.begin());
+    constraints_.distribute_local_to_global(local, spring_dofs(state_.lattice, spring), sum);
+  }
 }
 
 void LatticeSystem::add_loads(const std::vector<NodeLoad>& loads, double factor,
@@ -156,7 +192,7 @@ void LatticeSystem::add_loads(const std::vector<NodeLoad>& loads, double factor,
 {
   for (int i = 0; i < state_.lattice.n_nodes(); ++i)
     for (int c = 0; c < 6; ++c) {
-      const unsigned int dof = state_.lattice.first_dof(i) + c;
+      const unsigned int dof = state_.lattice.dof(i, c);
       if (owned_.is_element(dof) && !constraints_.is_constrained(dof))
         sum(dof) += factor * loads[i][c];
     }
@@ -174,6 +210,15 @@ void LatticeSystem::tangent(const dealii::Vector<double>& x)
     for (int i = 0; i < 12; ++i)
       for (int j = 0; j < 12; ++j) local(i, j) = tangent.stiffness(i, j);
     constraints_.distribute_local_to_global(local, element_dofs(e), matrix_);
+  }
+  local.reinit(6, 6);
+  for (const int s : springs_) {
+    const RotationalSpring& spring = state_.lattice.spring(s);
+    const SpringTangent tangent = spring_tangent(spring, spring_orientations(state_, spring),
+                                                 spring_turns(state_.lattice, spring, x));
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) local(i, j) = tangent.stiffness(i, j);
+    constraints_.distribute_local_to_global(local, spring_dofs(state_.lattice, spring), matrix_);
   }
   matrix_.compress(dealii::VectorOperation::add);
   for (const auto dof : owned_)
@@ -206,7 +251,7 @@ dealii::Vector<double> LatticeSystem::present() const
   const Lattice& lattice = state_.lattice;
   for (int i = 0; i < lattice.n_nodes(); ++i)
     for (int c = 0; c < 3; ++c)
-      x[lattice.first_dof(i) + c] = (state_.position[i] - lattice.reference_position(i))[c];
+      x[lattice.dof(i, c)] = (state_.position[i] - lattice.reference_position(i))[c];
   constraints_.distribute(x);
   return x;
 }

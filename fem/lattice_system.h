@@ -15,9 +15,9 @@
 namespace interlock::fem
 {
 // Freedoms in deal.II's numbering, first those of the first part of the mesh and so on; six a node,
-// the first of which is Lattice::first_dof: displacement from the unloaded state [m], rotation
-// vector on top of the state's orientation [rad], world frame. Each process assembles the elements
-// of its part and owns the rows of its freedoms; vectors called x hold all freedoms on every
+// see Lattice::dof: displacement from the unloaded state [m], rotation vector on top of the state's
+// orientation [rad], world frame. Each process assembles the elements of its part and the springs
+// of its junctions, and owns the rows of its freedoms; vectors called x hold all freedoms on every
 // process.
 class LatticeSystem
 {
@@ -70,7 +70,7 @@ private:
   const bool rbf_;
   const MPI_Comm communicator_;
   dealii::IndexSet owned_;
-  std::vector<int> elements_; // of this process
+  std::vector<int> elements_, springs_; // of this process
   std::vector<unsigned int> prescribed_;
   dealii::AffineConstraints<double> constraints_;
   dealii::PETScWrappers::MPI::SparseMatrix matrix_;

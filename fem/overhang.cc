@@ -53,7 +53,8 @@ Lattice strip(const GeogridProduct& product, int ribs, double length)
                                     product.ribs_across.section));
       lines.back().shape = product.ribs_across.shape;
     }
-  return Lattice(lines);
+  if (product.junctions.reach > 0) lines = thicken_junctions(lines, product.junctions);
+  return Lattice(std::move(lines));
 }
 
 // The strip of this length under its weight.
@@ -88,6 +89,8 @@ double fall_angle(const StaticSolver& solver, double length)
 OverhangResult flexural_overhang(const GeogridProduct& product, int ribs, double gravity,
                                  const LaboratoryProgress& progress)
 {
+  if (product.pattern != Pattern::biaxial)
+    throw std::invalid_argument("The flexural overhang is offered for biaxial geogrids only.");
   const double weight = product.mass_per_area() * gravity; // [N/m2]
   const double guess =
       2 * std::cbrt(product.ribs_along.section.bending_2 / product.pitch_across / weight);

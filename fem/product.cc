@@ -1,17 +1,59 @@
 #include "fem/product.h"
 
+#include "fem/triaxial_layout.h"
+
+#include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace interlock::fem
 {
+namespace
+{
+std::vector<RibLine> biaxial_lines(const GeogridProduct& product, int along, int across)
+{
+  BiaxialLayout layout;
+  layout.apertures_along = along;
+  layout.apertures_across = across;
+  layout.pitch_along = product.pitch_along;
+  layout.pitch_across = product.pitch_across;
+  layout.elements_per_rib = product.elements_per_rib;
+  layout.section_along = product.ribs_along.shape;
+  layout.section_across = product.ribs_across.shape;
+  std::vector<RibLine> lines = rib_lines(layout);
+  for (int l = 0; l < static_cast<int>(lines.size()); ++l)
+    lines[l].section = (l <= across ? product.ribs_along : product.ribs_across).section;
+  return lines;
+}
+
+std::vector<RibLine> triaxial_lines(const GeogridProduct& product, int along, int across)
+{
+  TriaxialLayout layout;
+  layout.side = product.pitch_across;
+  layout.length = along * product.pitch_along;
+  layout.width = across * product.pitch_across;
+  layout.elements_per_rib = product.elements_per_rib;
+  layout.section_across = product.ribs_across.shape;
+  layout.section_rising = layout.section_falling = product.ribs_along.shape;
+  std::vector<RibLine> lines = rib_lines(layout);
+  for (int l = 0; l < static_cast<int>(lines.size()); ++l)
+    lines[l].section = (l <= along ? product.ribs_across : product.ribs_along).section;
+  return lines;
+}
+} // namespace
+
 double GeogridProduct::mass_per_area() const
 {
-  return ribs_along.section.line_density / pitch_across +
-         ribs_across.section.line_density / pitch_along;
+  // Rib lengths per area: of a triangular lattice two diagonals and one transverse rib of a side
+  // each, in an area of side times height.
+  const double along = pattern == Pattern::triaxial ? 2 / pitch_along : 1 / pitch_across;
+  return along * ribs_along.section.line_density + ribs_across.section.line_density / pitch_along;
 }
 
 GeogridProduct turned(const GeogridProduct& product)
 {
+  if (product.pattern == Pattern::triaxial)
+    throw std::invalid_argument("A triaxial geogrid is tested along only.");
   GeogridProduct other = product;
   std::swap(other.pitch_along, other.pitch_across);
   std::swap(other.ribs_along, other.ribs_across);
@@ -20,17 +62,16 @@ GeogridProduct turned(const GeogridProduct& product)
 
 Lattice piece(const GeogridProduct& product, int apertures_along, int apertures_across)
 {
-  BiaxialLayout layout;
-  layout.apertures_along = apertures_along;
-  layout.apertures_across = apertures_across;
-  layout.pitch_along = product.pitch_along;
-  layout.pitch_across = product.pitch_across;
-  layout.elements_per_rib = product.elements_per_rib;
-  layout.section_along = product.ribs_along.shape;
-  layout.section_across = product.ribs_across.shape;
-  std::vector<RibLine> lines = rib_lines(layout);
-  for (int l = 0; l < static_cast<int>(lines.size()); ++l)
-    lines[l].section = (l <= apertures_across ? product.ribs_along : product.ribs_across).section;
+  std::vector<RibLine> lines = product.pattern == Pattern::biaxial
+                                   ? biaxial_lines(product, apertures_along, apertures_across)
+                                   : triaxial_lines(product, apertures_along, apertures_across);
+  if (product.junctions.reach > 0) lines = thicken_junctions(lines, product.junctions);
   return Lattice(std::move(lines));
+}
+
+double width_of_piece(const GeogridProduct& product, int apertures_across)
+{
+  return (product.pattern == Pattern::biaxial ? apertures_across + 1 : apertures_across) *
+         product.pitch_across;
 }
 } // namespace interlock::fem

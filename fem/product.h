@@ -1,37 +1,46 @@
 // A geogrid product: what its pieces are cut from.
 #pragma once
 
+#include "fem/junction_zones.h"
 #include "fem/lattice.h"
 
 #include <string>
 
 namespace interlock::fem
 {
+enum class Pattern { biaxial, triaxial };
+
 // Directions as on data sheets: along is the machine direction of the roll (x of a piece), across
 // the cross-machine direction (y).
-
-// The ribs of one direction: outer shape, and the section laws, which need not be those of the
-// shape.
-struct ProductRibs {
-  RibSection shape;
-  BeamSection section;
-};
-
 struct GeogridProduct {
-  double pitch_along = 0;   // centre to centre of the ribs that run across [m]
-  double pitch_across = 0;  // centre to centre of the ribs that run along [m]
-  ProductRibs ribs_along;   // that run along
-  ProductRibs ribs_across;  // that run across
+  Pattern pattern = Pattern::biaxial;
+  // Biaxial: centre to centre of the ribs that run across, and of those that run along. Triaxial:
+  // distance of neighbouring transverse ribs (the height of a triangle), and their distance from
+  // junction to junction (the side) [m].
+  double pitch_along = 0, pitch_across = 0;
+  RibProfile ribs_along;    // that run along; of a triaxial geogrid both diagonal families
+  RibProfile ribs_across;   // that run across
+  JunctionZone junctions;   // thicker zones around the junctions; reach 0: none
   int elements_per_rib = 8; // between two junctions
 
-  // Mass per area of a large sheet, ribs counted once from junction to junction [kg/m2].
+  // Mass per area of a large sheet, without thicker zones [kg/m2].
   double mass_per_area() const;
 };
 
 // The same sheet seen from the other direction: along and across change places.
+// Throws std::invalid_argument for a triaxial product, whose directions are not alike.
 GeogridProduct turned(const GeogridProduct& product);
 
-// A piece of whole apertures whose ribs along start at x = 0 and whose middle lies at y = 0, z = 0.
-// Throws std::invalid_argument when a number, a pitch or a section is not valid.
+// A piece of whole apertures (triaxial: triangle heights and sides) that starts at x = 0; its
+// middle lies at y = 0, z = 0. Throws std::invalid_argument when a number, a pitch or a section is
+// not valid.
 Lattice piece(const GeogridProduct& product, int apertures_along, int apertures_across);
+
+// Distance of the first and the last row of its junctions along x [m].
+inline double length_of_piece(const GeogridProduct& product, int apertures_along)
+{
+  return apertures_along * product.pitch_along;
+}
+// Width of the sheet whose ribs a piece has: a biaxial one has a rib more than apertures [m].
+double width_of_piece(const GeogridProduct& product, int apertures_across);
 } // namespace interlock::fem

@@ -5,6 +5,16 @@
 
 namespace interlock::fem
 {
+const RibSection& shape_of_element(const RibLine& line, int i)
+{
+  return line.profiles.empty() ? line.shape : line.profiles[i].shape;
+}
+
+const BeamSection& section_of_element(const RibLine& line, int i)
+{
+  return line.profiles.empty() ? line.section : line.profiles[i].section;
+}
+
 RibLine straight_line(const Eigen::Vector3d& start, const Eigen::Vector3d& end, int elements,
                       const BeamSection& section, const Eigen::Vector3d& normal)
 {

@@ -149,18 +149,37 @@ double StaticSolver::strain_energy() const
     sum += fem::strain_energy(
         beam_strains(beam_ends(state_.end_positions(e), state_.end_orientations(e)), beam), beam);
   }
+  for (int s = 0; s < state_.lattice.n_springs(); ++s) {
+    const RotationalSpring& spring = state_.lattice.spring(s);
+    sum += spring_energy(spring,
+                         {state_.orientation[spring.node[0]], state_.orientation[spring.node[1]]});
+  }
   return sum;
 }
 
 NodeLoad StaticSolver::reaction(int node) const
 {
-  NodeLoad sum = -state_.reached_loads.at(node);
-  for (int e = 0; e < state_.lattice.n_elements(); ++e)
-    for (int v = 0; v < 2; ++v)
-      if (state_.lattice.element(e).node[v] == node)
-        sum += beam_force(beam_constants(state_.lattice, e, options_.rbf), state_.end_positions(e),
-                          state_.end_orientations(e))
-                   .segment<6>(6 * v);
+  const Lattice& lattice = state_.lattice;
+  NodeLoad sum = NodeLoad::Zero();
+  // Joined nodes take the force together, each its own moment.
+  for (const int joined : lattice.joined_nodes(node)) {
+    NodeLoad own = -state_.reached_loads.at(joined);
+    for (int e = 0; e < lattice.n_elements(); ++e)
+      for (int v = 0; v < 2; ++v)
+        if (lattice.element(e).node[v] == joined)
+          own += beam_force(beam_constants(lattice, e, options_.rbf), state_.end_positions(e),
+                            state_.end_orientations(e))
+                     .segment<6>(6 * v);
+    sum.head<3>() += own.head<3>();
+    if (joined == node) sum.tail<3>() += own.tail<3>();
+  }
+  for (int s = 0; s < lattice.n_springs(); ++s) {
+    const RotationalSpring& spring = lattice.spring(s);
+    const Eigen::Vector3d moment = spring_moment(
+        spring, {state_.orientation[spring.node[0]], state_.orientation[spring.node[1]]});
+    if (spring.node[0] == node) sum.tail<3>() -= moment;
+    if (spring.node[1] == node) sum.tail<3>() += moment;
+  }
   return sum;
 }
 } // namespace interlock::fem

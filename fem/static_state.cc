@@ -32,10 +32,12 @@ std::array<Eigen::Quaterniond, 2> StaticState::end_orientations(int e) const
 void StaticState::advance(const dealii::Vector<double>& freedoms)
 {
   for (int i = 0; i < lattice.n_nodes(); ++i) {
-    const unsigned int dof = lattice.first_dof(i);
-    position[i] = lattice.reference_position(i) +
-                  Eigen::Vector3d(freedoms[dof], freedoms[dof + 1], freedoms[dof + 2]);
-    const Eigen::Vector3d turn(freedoms[dof + 3], freedoms[dof + 4], freedoms[dof + 5]);
+    Eigen::Vector3d displacement, turn;
+    for (int c = 0; c < 3; ++c) {
+      displacement[c] = freedoms[lattice.dof(i, c)];
+      turn[c] = freedoms[lattice.dof(i, 3 + c)];
+    }
+    position[i] = lattice.reference_position(i) + displacement;
     orientation[i] = (rotation_exponential(turn) * orientation[i]).normalized();
   }
 }
@@ -53,6 +55,10 @@ std::vector<int> connected_pieces(const Lattice& lattice)
   };
   for (int e = 0; e < lattice.n_elements(); ++e) {
     const auto& node = lattice.element(e).node;
+    piece[root(node[1])] = root(node[0]);
+  }
+  for (int s = 0; s < lattice.n_springs(); ++s) {
+    const auto& node = lattice.spring(s).node;
     piece[root(node[1])] = root(node[0]);
   }
   for (int i = 0; i < lattice.n_nodes(); ++i) piece[i] = root(i);

@@ -94,7 +94,7 @@ TEST(Lattice, TiesMakeJunctionsContinuous)
     for (unsigned int v = 0; v < 2; ++v)
       for (unsigned int c = 0; c < 6; ++c)
         EXPECT_EQ(values[cell->vertex_dof_index(v, c)],
-                  values[lattice.first_dof(lattice.element(e).node[v]) + c]);
+                  values[lattice.dof(lattice.element(e).node[v], c)]);
     ++e;
   }
 }

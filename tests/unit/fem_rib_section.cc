@@ -53,6 +53,41 @@ TEST(RibSection, ShearFactorMatchesCowper)
   }
 }
 
+// A = pi d^2/4, I = pi d^4/64, J = 2 I; Cowper's table gives 0.886 at nu = 0.3.
+TEST(RibSection, CircleMatchesTheFormulae)
+{
+  const double d = 4e-3;
+  RibSection bar = round_section(d, 2.4e9, 0.4, 910);
+  EXPECT_NEAR(area(bar), M_PI * d * d / 4, 1e-20);
+  EXPECT_NEAR(second_moment_2(bar), M_PI * std::pow(d, 4) / 64, 1e-26);
+  EXPECT_NEAR(second_moment_3(bar), M_PI * std::pow(d, 4) / 64, 1e-26);
+  EXPECT_NEAR(torsion_constant(bar), M_PI * std::pow(d, 4) / 32, 1e-26);
+  for (const auto& [nu, factor] : {std::pair{0., 6. / 7}, {0.3, 0.886}, {0.5, 0.900}}) {
+    bar.poisson_ratio = nu;
+    EXPECT_NEAR(shear_area(bar) / area(bar), factor, 5e-4);
+  }
+  // Torsion and bending of a circle: G J/(E I) = 1/(1 + nu).
+  bar.poisson_ratio = 0.4;
+  const BeamSection beam = beam_section(bar);
+  EXPECT_NEAR(beam.torsion / beam.bending_2, 1 / 1.4, 1e-12);
+  EXPECT_NEAR(beam.line_density, 910 * M_PI * d * d / 4, 1e-15);
+  bar.width = 5e-3;
+  EXPECT_THROW(beam_section(bar), std::invalid_argument);
+}
+
+// A homogeneous section given by its stiffnesses gets the rotary inertia of its shape.
+TEST(RibSection, GivenStiffnessesAreCompleted)
+{
+  const BeamSection rib = beam_section(rectangle(5e-3, 2.5e-3));
+  BeamSection given = rib;
+  given.rotary_1 = given.rotary_2 = given.rotary_3 = 0;
+  const BeamSection complete = given_section(given);
+  EXPECT_NEAR(complete.rotary_1, rib.rotary_1, 1e-14 * rib.rotary_1);
+  EXPECT_NEAR(complete.rotary_2, rib.rotary_2, 1e-14 * rib.rotary_2);
+  EXPECT_NEAR(complete.rotary_3, rib.rotary_3, 1e-14 * rib.rotary_3);
+  EXPECT_EQ(given_section(rib).rotary_1, rib.rotary_1);
+}
+
 TEST(RibSection, RefusesWhatIsNoRib)
 {
   EXPECT_THROW(beam_section(rectangle(0, 1e-3)), std::invalid_argument);

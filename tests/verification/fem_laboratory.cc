@@ -13,9 +13,9 @@ using namespace interlock::fem;
 
 namespace
 {
-ProductRibs ribs(double width, double thickness, double density)
+RibProfile ribs(double width, double thickness, double density)
 {
-  ProductRibs result;
+  RibProfile result;
   result.shape = {width, thickness, 2e9, 0.4, density};
   result.section = beam_section(result.shape);
   return result;
