@@ -16,9 +16,11 @@ namespace
 {
 constexpr double degree = M_PI / 180, standard_gravity = 9.80665;
 
-// Ribs of this Young's modulus, or those whose sheet has this stiffness and strength.
+// Ribs of this Young's modulus, or those whose sheet has this stiffness and strength: `spacing` is
+// the width of the sheet that one rib carries, `length` that from junction to junction. Thicker
+// zones strain less, so the rib between them is made softer to small strains.
 fem::RibProfile product_ribs(const ProductRibsParameters& parameters,
-                             const ProductParameters& product, double pitch)
+                             const ProductParameters& product, double spacing, double length)
 {
   fem::RibProfile ribs;
   ribs.shape = {parameters.width, parameters.thickness, parameters.youngs_modulus,
@@ -27,15 +29,15 @@ fem::RibProfile product_ribs(const ProductRibsParameters& parameters,
   if (parameters.stiffness_2 > 0) {
     const double stiffness_5 =
         parameters.stiffness_5 > 0 ? parameters.stiffness_5 : parameters.stiffness_2;
-    law = parameters.strength > 0
-              ? fem::tension_law(parameters.stiffness_2, stiffness_5, pitch, parameters.strength)
-              : fem::tension_law(parameters.stiffness_2, stiffness_5, pitch);
+    const double zones = product.junction_reach > 0 ? 2 * product.junction_reach / length : 0;
+    const double thin = zones > 0 ? parameters.thickness / product.junction_thickness : 1;
+    law = fem::tension_law(parameters.stiffness_2, stiffness_5, spacing * (1 - zones * (1 - thin)));
     ribs.shape.youngs_modulus = law.axial / fem::area(ribs.shape);
   }
   ribs.section = fem::beam_section(ribs.shape);
   ribs.section.softening = law.softening;
   ribs.section.yield_force =
-      parameters.strength > 0 ? pitch * parameters.strength : law.yield_force;
+      parameters.strength > 0 ? spacing * parameters.strength : law.yield_force;
   return ribs;
 }
 
@@ -60,8 +62,19 @@ fem::GeogridProduct geogrid_product(const ProductParameters& parameters)
   product.pitch_along = parameters.pitch_along;
   product.pitch_across = parameters.pitch_across;
   product.elements_per_rib = parameters.elements_per_rib;
-  product.ribs_along = product_ribs(parameters.along, parameters, parameters.pitch_across);
-  product.ribs_across = product_ribs(parameters.across, parameters, parameters.pitch_along);
+  product.junctions = {parameters.junction_reach, parameters.junction_thickness};
+  product.pattern =
+      parameters.pattern == "triaxial" ? fem::Pattern::triaxial : fem::Pattern::biaxial;
+  // A sheet of triangles of ribs EA has the stiffness 2 EA/(sqrt(3) side) in every direction.
+  const double spacing = std::sqrt(0.75) * parameters.pitch_across;
+  const bool triaxial = product.pattern == fem::Pattern::triaxial;
+  product.ribs_along =
+      triaxial ? product_ribs(parameters.along, parameters, spacing, parameters.pitch_across)
+               : product_ribs(parameters.along, parameters, parameters.pitch_across,
+                              parameters.pitch_along);
+  product.ribs_across =
+      product_ribs(parameters.across, parameters, triaxial ? spacing : parameters.pitch_along,
+                   parameters.pitch_across);
   return product;
 }
 
@@ -262,10 +275,12 @@ Summary Laboratory::run(const std::filesystem::path& output)
   const LaboratoryTestParameters& p = parameters_.test;
   const bool all = p.test == "data sheet";
   if (all || p.test == "wide-width tension") tension(all ? "along" : p.direction, false, output);
-  if (all) tension("across", false, output);
+  const bool biaxial = product_.pattern == fem::Pattern::biaxial;
+  if (all && biaxial) tension("across", false, output);
   if (p.test == "single-rib tension") tension(p.direction, true, output);
   if (all || p.test == "aperture stability") stability(output);
-  if (all || p.test == "flexural overhang") overhang(all ? "along" : p.direction, output);
+  if ((all && biaxial) || p.test == "flexural overhang")
+    overhang(all ? "along" : p.direction, output);
   if (p.test == "supports and loads") loaded(output);
   if (p.test == "modes") modes(output);
   if (all)

@@ -1,5 +1,8 @@
 #include "coupling/laboratory_declarations.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace interlock::coupling
 {
 namespace
@@ -25,6 +28,10 @@ void declare_product(ParameterTable& table, ProductParameters& product)
 {
   table.open_section("Product");
   table.offer_text("Name", product.name, "Name of the product, for tables and figures.");
+  table.offer_choice(
+      "Pattern", product.pattern, "biaxial", {"biaxial", "triaxial"},
+      "Squares or rectangles, or equilateral triangles with one family of ribs across; "
+      "ribs along are then both diagonal families.");
   table.require(
       "Pitch along", product.pitch_along, positive,
       "Centre to centre of neighbouring ribs that run across (cross-machine direction). [m]");
@@ -34,6 +41,12 @@ void declare_product(ParameterTable& table, ProductParameters& product)
   declare_ribs(table, product.across, "across");
   table.require("Poisson ratio", product.poisson_ratio, {0, 0.5, true}, "Poisson's ratio. [-]");
   table.require("Density", product.density, {100, 30000, true}, "Density of the polymer. [kg/m3]");
+  table.offer(
+      "Junction reach", product.junction_reach, 0, not_negative,
+      "Distance from the middle of a junction up to which ribs have its thickness; 0: ribs are "
+      "uniform. [m]");
+  table.offer("Junction thickness", product.junction_thickness, 0, not_negative,
+              "Thickness of junctions; needed with a reach. [m]");
   table.offer("Elements per rib", product.elements_per_rib, 8, {1, 1000, true},
               "Beam elements between two junctions. [-]");
 }
@@ -121,6 +134,24 @@ std::vector<ParameterProblem> check_laboratory(const LaboratoryParameters& param
   const ProductParameters& product = parameters.product;
   check_ribs(product.along, product.pitch_across, "along", problems);
   check_ribs(product.across, product.pitch_along, "across", problems);
+  const double height = std::sqrt(0.75) * product.pitch_across;
+  if (product.pattern == "triaxial" && std::abs(product.pitch_along / height - 1) > 1e-3)
+    problems.add("Product/Pitch along", "A triaxial geogrid with a side of ", product.pitch_across,
+                 " m (Pitch across) has triangles ", height, " m high, but Pitch along is ",
+                 product.pitch_along, " m.");
+  const LaboratoryTestParameters& test = parameters.test;
+  if (product.pattern == "triaxial" &&
+      (test.test == "single-rib tension" || test.test == "flexural overhang"))
+    problems.add("Laboratory/Test", "The ", test.test, " is offered for biaxial geogrids only.");
+  if (product.pattern == "triaxial" && test.direction == "across")
+    problems.add("Laboratory/Direction", "A triaxial geogrid is tested along only.");
+  const double thickest = std::max(product.along.thickness, product.across.thickness);
+  if (product.junction_reach > 0 && product.junction_thickness < thickest)
+    problems.add("Product/Junction thickness", "Junctions are ", product.junction_thickness,
+                 " m thick, but must be at least as thick as their ribs, ", thickest, " m.");
+  if (2 * product.junction_reach >= std::min(product.pitch_along, product.pitch_across))
+    problems.add("Product/Junction reach", "A reach of ", product.junction_reach,
+                 " m leaves no rib between two junctions.");
   return problems.take();
 }
 } // namespace interlock::coupling
