@@ -1,8 +1,8 @@
 #include "fem/lattice_system.h"
 
-#include "fem/beam_constants.h"
 #include "fem/beam_tangent.h"
 #include "fem/lattice_mesh.h"
+#include "fem/static_elements.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -20,18 +20,23 @@ Eigen::Vector3d triple_at(const dealii::Vector<double>& x, unsigned int dof)
   return {x[dof], x[dof + 1], x[dof + 2]};
 }
 
-struct ElementMotion {
-  std::array<Eigen::Vector3d, 2> position, turn;
+// Of the nodes of an element at the freedoms x.
+template <std::size_t n> struct ElementMotion {
+  std::array<Eigen::Vector3d, n> position, turn;
+  std::array<Eigen::Quaterniond, n> start, now; // orientation without and with `turn`
 };
 
-ElementMotion element_motion(const Lattice& lattice, int e, const dealii::Vector<double>& x)
+template <std::size_t n>
+ElementMotion<n> element_motion(const StaticState& state, const std::array<int, n>& nodes,
+                                const dealii::Vector<double>& x)
 {
-  ElementMotion motion;
-  for (int v = 0; v < 2; ++v) {
-    const int node = lattice.element(e).node[v];
-    const unsigned int dof = lattice.first_dof(node);
-    motion.position[v] = lattice.reference_position(node) + triple_at(x, dof);
+  ElementMotion<n> motion;
+  motion.start = at_nodes(state.orientation, nodes);
+  for (std::size_t v = 0; v < n; ++v) {
+    const unsigned int dof = state.lattice.first_dof(nodes[v]);
+    motion.position[v] = state.lattice.reference_position(nodes[v]) + triple_at(x, dof);
     motion.turn[v] = triple_at(x, dof + 3);
+    motion.now[v] = rotation_exponential(motion.turn[v]) * motion.start[v];
   }
   return motion;
 }
@@ -49,10 +54,13 @@ LatticeSystem::LatticeSystem(const StaticState& state, bool rbf, MPI_Comm commun
   for (int part = 0; part < mesh.n_parts(); ++part)
     if (is_mine(part)) owned_.add_indices(mesh.freedoms_of_part(part));
   owned_.compress();
-  int e = 0;
+  // A quadratic element belongs to the process of its first half.
+  const int cells_per_element = state.pairs.empty() ? 1 : 2;
+  int cells = 0;
   for (const auto& cell : mesh.dof_handler().active_cell_iterators()) {
-    if (is_mine(static_cast<int>(cell->subdomain_id()))) elements_.push_back(e);
-    ++e;
+    if (cells % cells_per_element == 0 && is_mine(static_cast<int>(cell->subdomain_id())))
+      elements_.push_back(cells / cells_per_element);
+    ++cells;
   }
 
   VecScatter scatter = nullptr;
@@ -86,6 +94,8 @@ void LatticeSystem::make_matrix()
   const dealii::DoFHandler<1, 3>& dof_handler = state_.lattice.mesh().dof_handler();
   dealii::DynamicSparsityPattern sparsity(dof_handler.n_dofs());
   dealii::DoFTools::make_sparsity_pattern(dof_handler, sparsity, constraints_, false);
+  for (const QuadraticPair& pair : state_.pairs) // the ends of a pair share no cell
+    constraints_.add_entries_local_to_global(dofs_of(pair.node), sparsity, false);
   matrix_.reinit(owned_, owned_, sparsity, communicator_);
   set_rigid_body_modes();
 }
@@ -127,10 +137,11 @@ void LatticeSystem::set_rigid_body_modes()
 }
 
 // Freedoms of the nodes, so those that junctions tie others to.
-std::vector<unsigned int> LatticeSystem::element_dofs(int e) const
+template <std::size_t n>
+std::vector<unsigned int> LatticeSystem::dofs_of(const std::array<int, n>& nodes) const
 {
   std::vector<unsigned int> dofs;
-  for (const int node : state_.lattice.element(e).node)
+  for (const int node : nodes)
     for (unsigned int c = 0; c < 6; ++c) dofs.push_back(state_.lattice.first_dof(node) + c);
   return dofs;
 }
@@ -138,17 +149,13 @@ std::vector<unsigned int> LatticeSystem::element_dofs(int e) const
 void LatticeSystem::internal_forces(const dealii::Vector<double>& x,
                                     dealii::PETScWrappers::MPI::Vector& sum) const
 {
-  dealii::Vector<double> local(12);
-  for (const int e : elements_) {
-    const ElementMotion motion = element_motion(state_.lattice, e, x);
-    std::array<Eigen::Quaterniond, 2> orientation = state_.end_orientations(e);
-    for (int v = 0; v < 2; ++v)
-      orientation[v] = rotation_exponential(motion.turn[v]) * orientation[v];
-    const Eigen::Matrix<double, 12, 1> force =
-        beam_force(beam_constants(state_.lattice, e, rbf_), motion.position, orientation);
-    std::copy(force.begin(), force.end(), local.begin());
-    constraints_.distribute_local_to_global(local, element_dofs(e), sum);
-  }
+  for (const int e : elements_)
+    with_element(state_, rbf_, e, [&](const auto& beam, const auto& nodes) {
+      const auto motion = element_motion(state_, nodes, x);
+      const auto force = beam_force(beam, motion.position, motion.now);
+      const dealii::Vector<double> local(force.begin(), force.end());
+      constraints_.distribute_local_to_global(local, dofs_of(nodes), sum);
+    });
 }
 
 void LatticeSystem::add_loads(const std::vector<NodeLoad>& loads, double factor,
@@ -165,16 +172,16 @@ void LatticeSystem::add_loads(const std::vector<NodeLoad>& loads, double factor,
 void LatticeSystem::tangent(const dealii::Vector<double>& x)
 {
   matrix_ = 0;
-  dealii::FullMatrix<double> local(12, 12);
-  for (const int e : elements_) {
-    const ElementMotion motion = element_motion(state_.lattice, e, x);
-    const BeamTangent tangent =
-        beam_tangent(beam_constants(state_.lattice, e, rbf_), motion.position,
-                     state_.end_orientations(e), motion.turn);
-    for (int i = 0; i < 12; ++i)
-      for (int j = 0; j < 12; ++j) local(i, j) = tangent.stiffness(i, j);
-    constraints_.distribute_local_to_global(local, element_dofs(e), matrix_);
-  }
+  for (const int e : elements_)
+    with_element(state_, rbf_, e, [&](const auto& beam, const auto& nodes) {
+      const auto motion = element_motion(state_, nodes, x);
+      const auto stiffness =
+          beam_tangent(beam, motion.position, motion.start, motion.turn).stiffness;
+      dealii::FullMatrix<double> local(stiffness.rows(), stiffness.cols());
+      for (int i = 0; i < stiffness.rows(); ++i)
+        for (int j = 0; j < stiffness.cols(); ++j) local(i, j) = stiffness(i, j);
+      constraints_.distribute_local_to_global(local, dofs_of(nodes), matrix_);
+    });
   matrix_.compress(dealii::VectorOperation::add);
   for (const auto dof : owned_)
     if (constraints_.is_constrained(dof)) matrix_.set(dof, dof, 1.);
