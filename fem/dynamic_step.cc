@@ -10,7 +10,7 @@ std::vector<Eigen::Matrix<double, 6, 1>> increments(const StaticState& state,
   const Lattice& lattice = state.lattice;
   std::vector<Eigen::Matrix<double, 6, 1>> increments(lattice.n_nodes());
   for (int i = 0; i < lattice.n_nodes(); ++i) {
-    for (int c = 0; c < 6; ++c) increments[i][c] = x[lattice.first_dof(i) + c];
+    for (int c = 0; c < 6; ++c) increments[i][c] = x[lattice.dof(i, c)];
     increments[i].head<3>() -= state.position[i] - lattice.reference_position(i);
   }
   return increments;
@@ -23,7 +23,7 @@ DynamicStep::DynamicStep(const LatticeMotion& start, const std::vector<NodeInert
 {
   const Lattice& lattice = start.state.lattice;
   for (int i = 0; i < lattice.n_nodes(); ++i)
-    if (system.owned().is_element(lattice.first_dof(i))) own_nodes_.push_back(i);
+    if (system.owned().is_element(lattice.dof(i, 0))) own_nodes_.push_back(i);
 
   SNES snes = nullptr;
   KSP ksp = nullptr;
@@ -61,9 +61,10 @@ PetscErrorCode DynamicStep::residual(SNES, Vec x, Vec f, void* self)
   for (const int i : step.own_nodes_) {
     const Eigen::Matrix<double, 6, 1> force =
         inertia_force(step.nodes_[i], step.node_step(i, increment[i]));
-    const unsigned int first = step.start_.state.lattice.first_dof(i);
-    for (unsigned int c = 0; c < 6; ++c)
-      if (!step.system_.constraints().is_constrained(first + c)) step.sum_(first + c) += force[c];
+    for (int c = 0; c < 6; ++c) {
+      const unsigned int dof = step.start_.state.lattice.dof(i, c);
+      if (!step.system_.constraints().is_constrained(dof)) step.sum_(dof) += force[c];
+    }
   }
   step.sum_.compress(dealii::VectorOperation::add);
   return VecCopy(step.sum_, f);
@@ -79,11 +80,13 @@ PetscErrorCode DynamicStep::jacobian(SNES, Vec x, Mat, Mat, void* self)
   for (const int i : step.own_nodes_) {
     const Eigen::Matrix<double, 6, 6> tangent =
         inertia_tangent(step.nodes_[i], step.node_step(i, increment[i]), step.rule_);
-    const unsigned int first = step.start_.state.lattice.first_dof(i);
-    for (unsigned int a = 0; a < 6; ++a)
-      for (unsigned int b = 0; b < 6; ++b)
-        if (!constraints.is_constrained(first + a) && !constraints.is_constrained(first + b))
-          step.system_.matrix().add(first + a, first + b, tangent(a, b));
+    const Lattice& lattice = step.start_.state.lattice;
+    for (int a = 0; a < 6; ++a)
+      for (int b = 0; b < 6; ++b) {
+        const unsigned int row = lattice.dof(i, a), column = lattice.dof(i, b);
+        if (!constraints.is_constrained(row) && !constraints.is_constrained(column))
+          step.system_.matrix().add(row, column, tangent(a, b));
+      }
   }
   step.system_.matrix().compress(dealii::VectorOperation::add);
   return 0;
@@ -108,10 +111,9 @@ void DynamicStep::predict()
     for (unsigned int c = 0; c < 3; ++c) x_(first + c) = value[c];
   };
   for (const int i : own_nodes_) {
-    const unsigned int first = state.lattice.first_dof(i);
-    put(first, state.position[i] - state.lattice.reference_position(i) +
+    put(state.lattice.dof(i, 0), state.position[i] - state.lattice.reference_position(i) +
                    predicted_increment(rule_, start_.translation[i]));
-    put(first + 3, state.orientation[i] * predicted_increment(rule_, start_.rotation[i]));
+    put(state.lattice.dof(i, 3), state.orientation[i] * predicted_increment(rule_, start_.rotation[i]));
   }
   x_.compress(dealii::VectorOperation::insert);
 }

@@ -1,8 +1,8 @@
 #include "fem/lattice_system.h"
 
-#include "fem/beam_constants.h"
 #include "fem/beam_tangent.h"
 #include "fem/lattice_mesh.h"
+#include "fem/static_elements.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -20,17 +20,22 @@ Eigen::Vector3d triple_at(const dealii::Vector<double>& x, unsigned int dof)
   return {x[dof], x[dof + 1], x[dof + 2]};
 }
 
-struct ElementMotion {
-  std::array<Eigen::Vector3d, 2> position, turn;
+// Of the nodes of an element at the freedoms x.
+template <std::size_t n> struct ElementMotion {
+  std::array<Eigen::Vector3d, n> position, turn;
+  std::array<Eigen::Quaterniond, n> start, now; // orientation without and with `turn`
 };
 
-ElementMotion element_motion(const Lattice& lattice, int e, const dealii::Vector<double>& x)
+template <std::size_t n>
+ElementMotion<n> element_motion(const StaticState& state, const std::array<int, n>& nodes,
+                                const dealii::Vector<double>& x)
 {
-  ElementMotion motion;
-  for (int v = 0; v < 2; ++v) {
-    const int node = lattice.element(e).node[v];
-    motion.position[v] = lattice.reference_position(node) + triple_at(x, lattice.dof(node, 0));
-    motion.turn[v] = triple_at(x, lattice.dof(node, 3));
+  ElementMotion<n> motion;
+  motion.start = at_nodes(state.orientation, nodes);
+  for (std::size_t v = 0; v < n; ++v) {
+    motion.position[v] = state.lattice.reference_position(nodes[v]) + triple_at(x, state.lattice.dof(nodes[v], 0));
+    motion.turn[v] = triple_at(x, state.lattice.dof(nodes[v], 3));
+    motion.now[v] = rotation_exponential(motion.turn[v]) * motion.start[v];
   }
   return motion;
 }
@@ -70,10 +75,13 @@ LatticeSystem::LatticeSystem(const StaticState& state, bool rbf, MPI_Comm commun
   for (int part = 0; part < mesh.n_parts(); ++part)
     if (is_mine(part)) owned_.add_indices(mesh.freedoms_of_part(part));
   owned_.compress();
-  int e = 0;
+  // A quadratic element belongs to the process of its first half.
+  const int cells_per_element = state.pairs.empty() ? 1 : 2;
+  int cells = 0;
   for (const auto& cell : mesh.dof_handler().active_cell_iterators()) {
-    if (is_mine(static_cast<int>(cell->subdomain_id()))) elements_.push_back(e);
-    ++e;
+    if (cells % cells_per_element == 0 && is_mine(static_cast<int>(cell->subdomain_id())))
+      elements_.push_back(cells / cells_per_element);
+    ++cells;
   }
   for (int s = 0; s < state.lattice.n_springs(); ++s)
     if (owned_.is_element(state.lattice.dof(state.lattice.spring(s).node[0], 3)))
@@ -113,6 +121,8 @@ void LatticeSystem::make_matrix()
   for (int s = 0; s < state_.lattice.n_springs(); ++s)
     constraints_.add_entries_local_to_global(spring_dofs(state_.lattice, state_.lattice.spring(s)),
                                              sparsity, false);
+  for (const QuadraticPair& pair : state_.pairs) // the ends of a pair share no cell
+    constraints_.add_entries_local_to_global(dofs_of(pair.node), sparsity, false);
   matrix_.reinit(owned_, owned_, sparsity, communicator_);
   set_rigid_body_modes();
 }
@@ -153,10 +163,11 @@ void LatticeSystem::set_rigid_body_modes()
 }
 
 // Freedoms of the nodes, so those that junctions tie others to.
-std::vector<unsigned int> LatticeSystem::element_dofs(int e) const
+template <std::size_t n>
+std::vector<unsigned int> LatticeSystem::dofs_of(const std::array<int, n>& nodes) const
 {
   std::vector<unsigned int> dofs;
-  for (const int node : state_.lattice.element(e).node)
+  for (const int node : nodes)
     for (unsigned int c = 0; c < 6; ++c) dofs.push_back(state_.lattice.dof(node, c));
   return dofs;
 }
@@ -164,18 +175,14 @@ std::vector<unsigned int> LatticeSystem::element_dofs(int e) const
 void LatticeSystem::internal_forces(const dealii::Vector<double>& x,
                                     dealii::PETScWrappers::MPI::Vector& sum) const
 {
-  dealii::Vector<double> local(12);
-  for (const int e : elements_) {
-    const ElementMotion motion = element_motion(state_.lattice, e, x);
-    std::array<Eigen::Quaterniond, 2> orientation = state_.end_orientations(e);
-    for (int v = 0; v < 2; ++v)
-      orientation[v] = rotation_exponential(motion.turn[v]) * orientation[v];
-    const Eigen::Matrix<double, 12, 1> force =
-        beam_force(beam_constants(state_.lattice, e, rbf_), motion.position, orientation);
-    std::copy(force.begin(), force.end(), local.begin());
-    constraints_.distribute_local_to_global(local, element_dofs(e), sum);
-  }
-  local.reinit(6);
+  for (const int e : elements_)
+    with_element(state_, rbf_, e, [&](const auto& beam, const auto& nodes) {
+      const auto motion = element_motion(state_, nodes, x);
+      const auto force = beam_force(beam, motion.position, motion.now);
+      const dealii::Vector<double> local(force.begin(), force.end());
+      constraints_.distribute_local_to_global(local, dofs_of(nodes), sum);
+    });
+  dealii::Vector<double> local(6);
   for (const int s : springs_) {
     const RotationalSpring& spring = state_.lattice.spring(s);
     const Eigen::Matrix<double, 6, 1> moment =
@@ -201,17 +208,17 @@ void LatticeSystem::add_loads(const std::vector<NodeLoad>& loads, double factor,
 void LatticeSystem::tangent(const dealii::Vector<double>& x)
 {
   matrix_ = 0;
-  dealii::FullMatrix<double> local(12, 12);
-  for (const int e : elements_) {
-    const ElementMotion motion = element_motion(state_.lattice, e, x);
-    const BeamTangent tangent =
-        beam_tangent(beam_constants(state_.lattice, e, rbf_), motion.position,
-                     state_.end_orientations(e), motion.turn);
-    for (int i = 0; i < 12; ++i)
-      for (int j = 0; j < 12; ++j) local(i, j) = tangent.stiffness(i, j);
-    constraints_.distribute_local_to_global(local, element_dofs(e), matrix_);
-  }
-  local.reinit(6, 6);
+  for (const int e : elements_)
+    with_element(state_, rbf_, e, [&](const auto& beam, const auto& nodes) {
+      const auto motion = element_motion(state_, nodes, x);
+      const auto stiffness =
+          beam_tangent(beam, motion.position, motion.start, motion.turn).stiffness;
+      dealii::FullMatrix<double> local(stiffness.rows(), stiffness.cols());
+      for (int i = 0; i < stiffness.rows(); ++i)
+        for (int j = 0; j < stiffness.cols(); ++j) local(i, j) = stiffness(i, j);
+      constraints_.distribute_local_to_global(local, dofs_of(nodes), matrix_);
+    });
+  dealii::FullMatrix<double> local(6, 6);
   for (const int s : springs_) {
     const RotationalSpring& spring = state_.lattice.spring(s);
     const SpringTangent tangent = spring_tangent(spring, spring_orientations(state_, spring),

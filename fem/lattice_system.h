@@ -64,7 +64,7 @@ public:
 private:
   void make_matrix();
   void set_rigid_body_modes();
-  std::vector<unsigned int> element_dofs(int e) const;
+  template <std::size_t n> std::vector<unsigned int> dofs_of(const std::array<int, n>& nodes) const;
 
   const StaticState& state_;
   const bool rbf_;

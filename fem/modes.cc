@@ -53,14 +53,14 @@ MatOwner mass(LatticeSystem& system, const StaticState& state, IS free)
   system.matrix() = 0;
   const std::vector<NodeInertia> nodes = lump_inertia(state.lattice, false);
   for (int i = 0; i < state.lattice.n_nodes(); ++i) {
-    const unsigned int first = state.lattice.first_dof(i);
+    const unsigned int first = state.lattice.dof(i, 0), spin = state.lattice.dof(i, 3);
     if (!system.owned().is_element(first)) continue;
     const Eigen::Matrix3d turn = state.orientation[i].toRotationMatrix();
     const Eigen::Matrix3d tensor = turn * nodes[i].tensor * turn.transpose();
     for (unsigned int a = 0; a < 3; ++a) {
       system.matrix().add(first + a, first + a, nodes[i].mass);
       for (unsigned int b = 0; b < 3; ++b)
-        system.matrix().add(first + 3 + a, first + 3 + b, 0.5 * (tensor(a, b) + tensor(b, a)));
+        system.matrix().add(spin + a, spin + b, 0.5 * (tensor(a, b) + tensor(b, a)));
     }
   }
   system.matrix().compress(dealii::VectorOperation::add);
@@ -113,7 +113,7 @@ public:
     check(VecRestoreArrayRead(all, &values));
     std::vector<Eigen::Matrix<double, 6, 1>> shape(lattice_.n_nodes());
     for (int i = 0; i < lattice_.n_nodes(); ++i)
-      for (int c = 0; c < 6; ++c) shape[i][c] = all_[lattice_.first_dof(i) + c];
+      for (int c = 0; c < 6; ++c) shape[i][c] = all_[lattice_.dof(i, c)];
     return shape;
   }
 

@@ -183,10 +183,9 @@ QuadraticTangent beam_tangent(const QuadraticBeam& beam, const NodePositions& po
       outer[c] = variable(turn[i][c], 6 * i + 3 + c, false, true);
       inner[c] = variable(0, 6 * i + 3 + c, true, false);
     }
-    Quadruple<Second> q;
-    for (int c = 0; c < 4; ++c) q[c] = constant(plain.q[i][c]);
-    nodes.q[i] =
-        detail::product(detail::exponential(inner), detail::product(detail::exponential(outer), q));
+    // To first order in spin, which is all that a derivative at zero sees.
+    const Quadruple<Second> spun{constant(1), 0.5 * inner[0], 0.5 * inner[1], 0.5 * inner[2]};
+    nodes.q[i] = detail::product(spun, detail::product(detail::exponential(outer), plain.q[i]));
   }
   const Second energy = quadratic_energy(beam, nodes);
   QuadraticTangent tangent;

@@ -44,11 +44,12 @@ template <class Number> Triple<Number> logarithm(const Quadruple<Number>& q)
 }
 
 // Sum over k of (-square)^k first!/(2 k + first)!, divided by first!: for first = 2
-// (1 - cos t)/t^2, for first = 3 (t - sin t)/t^3 with t^2 = square. Exact to rounding up to t = pi.
+// (1 - cos t)/t^2, for first = 3 (t - sin t)/t^3 with t^2 = square. Exact to rounding up to t
+// = 1.7.
 template <int first, class Number> Number entire_series(const Number& square)
 {
   Number sum = Number(1.);
-  for (int k = 14; k >= 1; --k)
+  for (int k = 10; k >= 1; --k)
     sum = 1. - square * sum * (1. / ((2 * k + first) * (2 * k + first - 1.)));
   return sum * (first == 2 ? 1. / 2 : 1. / 6);
 }

@@ -13,6 +13,13 @@ BeamEnds<double> beam_ends(const std::array<Eigen::Vector3d, 2>& position,
           quadruple(orientation[1])};
 }
 
+double strain_energy(const BeamConstants<double>& beam,
+                     const std::array<Eigen::Vector3d, 2>& position,
+                     const std::array<Eigen::Quaterniond, 2>& orientation)
+{
+  return strain_energy(beam_strains(beam_ends(position, orientation), beam), beam);
+}
+
 SectionForces section_forces(const BeamConstants<double>& beam,
                              const std::array<Eigen::Vector3d, 2>& position,
                              const std::array<Eigen::Quaterniond, 2>& orientation)

@@ -22,6 +22,11 @@ struct SectionForces {
 BeamEnds<double> beam_ends(const std::array<Eigen::Vector3d, 2>& position,
                            const std::array<Eigen::Quaterniond, 2>& orientation);
 
+// Strain energy [J].
+double strain_energy(const BeamConstants<double>& beam,
+                     const std::array<Eigen::Vector3d, 2>& position,
+                     const std::array<Eigen::Quaterniond, 2>& orientation);
+
 SectionForces section_forces(const BeamConstants<double>& beam,
                              const std::array<Eigen::Vector3d, 2>& position,
                              const std::array<Eigen::Quaterniond, 2>& orientation);

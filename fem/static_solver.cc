@@ -1,12 +1,13 @@
 #include "fem/static_solver.h"
 
 #include "fem/arc_length.h"
-#include "fem/beam_constants.h"
 #include "fem/beam_tangent.h"
 #include "fem/load_step.h"
+#include "fem/static_elements.h"
 
 #include <petscsys.h>
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,17 @@ void require_petsc()
   if (running == PETSC_FALSE)
     throw std::runtime_error(
         "The static solver needs PETSc: create a dealii::Utilities::MPI::MPI_InitFinalize first.");
+}
+
+// The arc length steps to and fro along the path, which history does not allow.
+void require_elastic(const Lattice& lattice)
+{
+  for (int l = 0; l < lattice.n_lines(); ++l) {
+    const BeamSection& section = lattice.line(l).section;
+    if (section.softening > 0 || std::isfinite(section.yield_force))
+      throw std::runtime_error("The arc-length method follows elastic ribs, but rib line " +
+                               std::to_string(l) + " softens or yields.");
+  }
 }
 
 // Loads and supports on the way from those of `state` to what is set, after `share` of the way, of
@@ -67,6 +79,10 @@ std::string refusal(const LoadStep::Outcome& outcome, double step, int n_steps)
 StaticSolver::StaticSolver(const Lattice& lattice, const StaticOptions& options)
     : state_(lattice), options_(options)
 {
+  if (options.order != 1 && options.order != 2)
+    throw std::invalid_argument("The order of the elements is " + std::to_string(options.order) +
+                                " but must be 1 or 2.");
+  if (options.order == 2) state_.pairs = quadratic_pairs(lattice);
 }
 
 void StaticSolver::clamp(const std::vector<int>& nodes)
@@ -119,6 +135,7 @@ int StaticSolver::solve()
       continue;
     }
     state_.advance(step.solution());
+    state_.commit_plastic_stretch(options_.rbf);
     state_.reached_loads = now.loads;
     for (std::size_t s = 0; s < now.supports.size(); ++s)
       if (now.supports[s].component >= 3) state_.supports[s].reached += now.supports[s].value;
@@ -132,23 +149,30 @@ std::vector<PathPoint> StaticSolver::trace_path(const ArcLengthOptions& arc_leng
 {
   require_petsc();
   require_held(state_);
+  require_elastic(state_.lattice);
   return ArcLength(state_, options_, arc_length).trace();
 }
 
 SectionForces StaticSolver::section_forces(int e) const
 {
-  return fem::section_forces(beam_constants(state_.lattice, e, options_.rbf),
-                             state_.end_positions(e), state_.end_orientations(e));
+  if (!state_.pairs.empty()) {
+    const QuadraticPair& pair = state_.pairs[e / 2];
+    return fem::section_forces(pair.beam, at_nodes(state_.position, pair.node),
+                               at_nodes(state_.orientation, pair.node))[e % 2];
+  }
+  return fem::section_forces(
+      beam_constants(state_.lattice, e, options_.rbf, state_.plastic_stretch[e]),
+      state_.end_positions(e), state_.end_orientations(e));
 }
 
 double StaticSolver::strain_energy() const
 {
   double sum = 0;
-  for (int e = 0; e < state_.lattice.n_elements(); ++e) {
-    const BeamConstants<double> beam = beam_constants(state_.lattice, e, options_.rbf);
-    sum += fem::strain_energy(
-        beam_strains(beam_ends(state_.end_positions(e), state_.end_orientations(e)), beam), beam);
-  }
+  for (int e = 0; e < n_elements(state_); ++e)
+    with_element(state_, options_.rbf, e, [&](const auto& beam, const auto& nodes) {
+      sum += fem::strain_energy(beam, at_nodes(state_.position, nodes),
+                                at_nodes(state_.orientation, nodes));
+    });
   for (int s = 0; s < state_.lattice.n_springs(); ++s) {
     const RotationalSpring& spring = state_.lattice.spring(s);
     sum += spring_energy(spring,
@@ -164,12 +188,14 @@ NodeLoad StaticSolver::reaction(int node) const
   // Joined nodes take the force together, each its own moment.
   for (const int joined : lattice.joined_nodes(node)) {
     NodeLoad own = -state_.reached_loads.at(joined);
-    for (int e = 0; e < lattice.n_elements(); ++e)
-      for (int v = 0; v < 2; ++v)
-        if (lattice.element(e).node[v] == joined)
-          own += beam_force(beam_constants(lattice, e, options_.rbf), state_.end_positions(e),
-                            state_.end_orientations(e))
-                     .segment<6>(6 * v);
+    for (int e = 0; e < n_elements(state_); ++e)
+      with_element(state_, options_.rbf, e, [&](const auto& beam, const auto& nodes) {
+        for (std::size_t v = 0; v < nodes.size(); ++v)
+          if (nodes[v] == joined)
+            own += beam_force(beam, at_nodes(state_.position, nodes),
+                              at_nodes(state_.orientation, nodes))
+                       .template segment<6>(6 * v);
+      });
     sum.head<3>() += own.head<3>();
     if (joined == node) sum.tail<3>() += own.tail<3>();
   }

@@ -17,7 +17,9 @@
 namespace interlock::fem
 {
 struct StaticOptions {
-  bool rbf = true;         // residual bending flexibility in the shear stiffness
+  bool rbf = true; // residual bending flexibility in the shear stiffness; not for order 2
+  int order = 1;   // 1: two-node elements; 2: quadratic ones, two consecutive elements of a line
+                   // each (elastic ribs with an even number of segments)
   int load_steps = 10;     // loads and prescribed motion grow in equal steps
   int max_iterations = 30; // Newton iterations in one load step; one that needs more is halved
   double step_tolerance = 1e-10; // a load step ends when the Newton step [m, rad] is shorter, or
@@ -37,6 +39,8 @@ struct StaticOptions {
 class StaticSolver
 {
 public:
+  // Throws std::invalid_argument when the order is neither 1 nor 2, or when the lattice cannot be
+  // read as quadratic elements, see quadratic_pairs.
   StaticSolver(const Lattice& lattice, const StaticOptions& options);
 
   // Fixes all six freedoms, or the three displacements, of these nodes.
@@ -71,8 +75,11 @@ public:
   }
   const Eigen::Quaterniond& orientation(int node) const { return state_.orientation[node]; }
   const StaticState& state() const { return state_; }
+  // Of one element of the lattice; with order 2 at the Gauss point in that half of the pair.
   SectionForces section_forces(int e) const;
   double strain_energy() const; // [J]
+  // Stretch that stays when an element is unloaded [-].
+  double plastic_stretch(int e) const { return state_.plastic_stretch.at(e); }
   // Force (first three) and moment that the supports exert on a node [N, N m]; zero at free nodes
   // to the tolerance of the solution.
   NodeLoad reaction(int node) const;

@@ -1,6 +1,8 @@
 #include "fem/static_state.h"
 
+#include "fem/beam_constants.h"
 #include "fem/beam_tangent.h"
+#include "fem/section_forces.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -12,7 +14,8 @@ namespace interlock::fem
 {
 StaticState::StaticState(const Lattice& unloaded)
     : lattice(unloaded), loads(unloaded.n_nodes(), NodeLoad::Zero()), reached_loads(loads),
-      orientation(unloaded.n_nodes(), Eigen::Quaterniond::Identity())
+      orientation(unloaded.n_nodes(), Eigen::Quaterniond::Identity()),
+      plastic_stretch(unloaded.n_elements(), 0.)
 {
   for (int i = 0; i < lattice.n_nodes(); ++i) position.push_back(lattice.reference_position(i));
 }
@@ -39,6 +42,15 @@ void StaticState::advance(const dealii::Vector<double>& freedoms)
     }
     position[i] = lattice.reference_position(i) + displacement;
     orientation[i] = (rotation_exponential(turn) * orientation[i]).normalized();
+  }
+}
+
+void StaticState::commit_plastic_stretch(bool rbf)
+{
+  for (int e = 0; e < lattice.n_elements(); ++e) {
+    const BeamConstants<double> beam = beam_constants(lattice, e, rbf, plastic_stretch[e]);
+    plastic_stretch[e] = fem::plastic_stretch(
+        beam_strains(beam_ends(end_positions(e), end_orientations(e)), beam), beam);
   }
 }
 

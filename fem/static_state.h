@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fem/lattice.h"
+#include "fem/quadratic_lattice.h"
 
 #include <deal.II/lac/vector.h>
 
@@ -30,6 +31,8 @@ struct StaticState {
   // Moves the nodes to freedoms in deal.II's numbering, as LatticeSystem has them: displacement
   // from the unloaded state [m], rotation vector on top of the present orientation [rad].
   void advance(const dealii::Vector<double>& freedoms);
+  // Makes the plastic stretch of the present state part of the history. `rbf`: see StaticOptions.
+  void commit_plastic_stretch(bool rbf);
 
   Lattice lattice;
   std::vector<Support> supports;
@@ -37,6 +40,8 @@ struct StaticState {
   std::vector<NodeLoad> reached_loads;         // under which the present state is at rest
   std::vector<Eigen::Vector3d> position;       // [m]
   std::vector<Eigen::Quaterniond> orientation; // rotation from the unloaded state
+  std::vector<double> plastic_stretch;         // of each element, see tension_law.h [-]
+  std::vector<QuadraticPair> pairs; // quadratic elements; empty: the lattice's own elements
 };
 
 // Throws std::runtime_error when the supports leave the lattice, or a part of it that hangs

@@ -81,7 +81,8 @@ TEST(SofteningRib, FollowsItsLawDownAndUpAgain)
   EXPECT_NEAR(rib.solver.section_forces(1).axial, envelope(0.07), tolerance);
 }
 
-// Beyond 9 % the strength holds; the rib comes back along EA.
+// Beyond 9 % the strength holds; the rib comes back along EA. In a chain of elements one of them
+// takes the stretch, because the others have nothing to gain.
 TEST(SofteningRib, YieldsAtItsStrength)
 {
   PulledRib rib(1, steps(2));
@@ -91,6 +92,11 @@ TEST(SofteningRib, YieldsAtItsStrength)
   EXPECT_NEAR(rib.pull(0.1), strength - 0.02 * law.axial, tolerance);
   EXPECT_NEAR(rib.pull(0.15), strength, tolerance);
   EXPECT_NEAR(rib.solver.plastic_stretch(0), 0.15 - strength / law.axial, 1e-12);
+
+  PulledRib chain(4, steps(2));
+  EXPECT_NEAR(chain.pull(0.08), envelope(0.08), tolerance);
+  EXPECT_NEAR(chain.pull(0.12), strength, tolerance);
+  EXPECT_NEAR(chain.pull(0.115), strength - 0.005 * law.axial, tolerance);
 }
 
 // The area of the loop to 5 % and back to zero force, by the trapezoidal rule on the solver's
@@ -133,7 +139,7 @@ TEST(SofteningRib, StaticAndExplicitAgree)
   dynamics.clamp({0, n});
 
   double load = 0;
-  for (const double target : {40., 15., 60.}) {
+  for (const double target : {80., 30., 130.}) {
     solver.add_load(middle, {0, 0, target - load}, {0, 0, 0});
     solver.solve();
     const double ramp = 0.1, end = 0.15;
