@@ -112,8 +112,9 @@ void DynamicStep::predict()
   };
   for (const int i : own_nodes_) {
     put(state.lattice.dof(i, 0), state.position[i] - state.lattice.reference_position(i) +
-                   predicted_increment(rule_, start_.translation[i]));
-    put(state.lattice.dof(i, 3), state.orientation[i] * predicted_increment(rule_, start_.rotation[i]));
+                                     predicted_increment(rule_, start_.translation[i]));
+    put(state.lattice.dof(i, 3),
+        state.orientation[i] * predicted_increment(rule_, start_.rotation[i]));
   }
   x_.compress(dealii::VectorOperation::insert);
 }

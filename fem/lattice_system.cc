@@ -33,7 +33,8 @@ ElementMotion<n> element_motion(const StaticState& state, const std::array<int, 
   ElementMotion<n> motion;
   motion.start = at_nodes(state.orientation, nodes);
   for (std::size_t v = 0; v < n; ++v) {
-    motion.position[v] = state.lattice.reference_position(nodes[v]) + triple_at(x, state.lattice.dof(nodes[v], 0));
+    motion.position[v] =
+        state.lattice.reference_position(nodes[v]) + triple_at(x, state.lattice.dof(nodes[v], 0));
     motion.turn[v] = triple_at(x, state.lattice.dof(nodes[v], 3));
     motion.now[v] = rotation_exponential(motion.turn[v]) * motion.start[v];
   }
