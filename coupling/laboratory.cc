@@ -3,6 +3,8 @@
 #include "coupling/atomic_file.h"
 #include "coupling/lattice_output.h"
 #include "dem/input_error.h"
+#include "fem/gmsh_file.h"
+#include "fem/gmsh_lattice.h"
 #include "fem/tension_law.h"
 
 #include <algorithm>
@@ -86,7 +88,11 @@ Laboratory::Laboratory(const LaboratoryParameters& parameters, const Monitor& mo
     fem::piece(product_, 1, 1);
     supports_ = parse_supports(parameters.test.supports);
     loads_ = parse_loads(parameters.test.loads);
-    check_sets();
+    const std::string& test = parameters.test.test;
+    if (test == "supports and loads" || test == "modes") {
+      make_lattice();
+      check_conditions();
+    }
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
@@ -94,17 +100,44 @@ Laboratory::Laboratory(const LaboratoryParameters& parameters, const Monitor& mo
   }
 }
 
-// Unknown sets, or a lattice that can move as a whole: before anything is written.
-void Laboratory::check_sets() const
+// The lattice of supports and loads, and of modes: a piece of the product, or that of a file.
+void Laboratory::make_lattice()
 {
-  const NodeSets sets = node_sets_of_piece(fem::piece(product_, 2, 2));
-  for (const SupportCondition& support : supports_) nodes_of(support.set, sets);
-  for (const LoadCondition& load : loads_) nodes_of(load.set, sets);
-  if (parameters_.test.test == "supports and loads") {
-    const std::unique_ptr<fem::StaticSolver> solver = supported_piece();
-    apply(supports_, 1, node_sets_of_piece(solver->lattice()), *solver);
-    fem::require_held(solver->state());
+  const LaboratoryTestParameters& p = parameters_.test;
+  if (p.lattice_file.empty()) {
+    lattice_ =
+        std::make_unique<fem::Lattice>(fem::piece(product_, p.apertures_along, p.apertures_across));
+    sets_ = node_sets_of_piece(*lattice_);
+    return;
   }
+  std::map<std::string, fem::GmshSection> sections;
+  for (const fem::GmshFile::Line& line : fem::read_gmsh_file(p.lattice_file).lines) {
+    if (line.group == "along") sections[line.group].profile = product_.ribs_along;
+    if (line.group == "across") sections[line.group].profile = product_.ribs_across;
+  }
+  const fem::GmshLattice file =
+      fem::read_gmsh_lattice(p.lattice_file, sections, p.lattice_length_unit);
+  lattice_ = std::make_unique<fem::Lattice>(file.lines);
+  sets_ = fem::node_sets(file, *lattice_);
+  for (int i = 0; i < lattice_->n_nodes(); ++i) sets_["everywhere"].push_back(i);
+}
+
+// Unknown sets, or a lattice that can move as a whole: before anything is written.
+void Laboratory::check_conditions() const
+{
+  for (const SupportCondition& support : supports_) nodes_of(support.set, sets_);
+  for (const LoadCondition& load : loads_) nodes_of(load.set, sets_);
+  if (parameters_.test.test == "modes") return;
+  const std::unique_ptr<fem::StaticSolver> solver = new_solver();
+  apply(supports_, 1, sets_, *solver);
+  fem::require_held(solver->state());
+}
+
+std::unique_ptr<fem::StaticSolver> Laboratory::new_solver() const
+{
+  fem::StaticOptions options;
+  options.load_steps = 1;
+  return std::make_unique<fem::StaticSolver>(*lattice_, options);
 }
 
 fem::LaboratoryProgress Laboratory::progress(const std::string& stage) const
@@ -197,29 +230,17 @@ void Laboratory::overhang(const std::string& direction, const std::filesystem::p
           along ? parameters_.data_sheet.flexural_rigidity : 0);
 }
 
-// The piece of these tests, held as the parameters say.
-std::unique_ptr<fem::StaticSolver> Laboratory::supported_piece() const
-{
-  const LaboratoryTestParameters& p = parameters_.test;
-  const fem::Lattice lattice = fem::piece(product_, p.apertures_along, p.apertures_across);
-  fem::StaticOptions options;
-  options.load_steps = 1;
-  auto solver = std::make_unique<fem::StaticSolver>(lattice, options);
-  return solver;
-}
-
 void Laboratory::loaded(const std::filesystem::path& output)
 {
   const LaboratoryTestParameters& p = parameters_.test;
   fem::LaboratoryTest test;
-  test.solver = supported_piece();
-  const fem::Lattice& lattice = test.solver->lattice();
-  const NodeSets sets = node_sets_of_piece(lattice);
+  test.solver = new_solver();
+  const fem::Lattice& lattice = *lattice_;
   test.path.push_back({});
   double largest = 0;
   for (int k = 1; k <= p.steps; ++k) {
-    apply(supports_, static_cast<double>(k) / p.steps, sets, *test.solver);
-    apply(loads_, 1. / p.steps, sets, *test.solver);
+    apply(supports_, static_cast<double>(k) / p.steps, sets_, *test.solver);
+    apply(loads_, 1. / p.steps, sets_, *test.solver);
     test.solver->solve();
     for (int i = 0; i < lattice.n_nodes(); ++i)
       largest = std::max(largest, test.solver->displacement(i).norm());
@@ -237,7 +258,7 @@ void Laboratory::loaded(const std::filesystem::path& output)
   add_row("largest axial force of a rib", "largest_axial_force_N", "N", axial, 0);
   for (const SupportCondition& support : supports_) {
     fem::NodeLoad sum = fem::NodeLoad::Zero();
-    for (const int node : sets.at(support.set)) sum += test.solver->reaction(node);
+    for (const int node : sets_.at(support.set)) sum += test.solver->reaction(node);
     const char* names[] = {"x", "y", "z"};
     for (int c = 0; c < 3; ++c)
       add_row("reaction of " + support.set + ", " + names[c],
@@ -247,9 +268,9 @@ void Laboratory::loaded(const std::filesystem::path& output)
 
 void Laboratory::modes(const std::filesystem::path& output)
 {
-  const std::unique_ptr<fem::StaticSolver> solver = supported_piece();
-  const fem::Lattice& lattice = solver->lattice();
-  apply(supports_, 1, node_sets_of_piece(lattice), *solver);
+  const std::unique_ptr<fem::StaticSolver> solver = new_solver();
+  const fem::Lattice& lattice = *lattice_;
+  apply(supports_, 1, sets_, *solver);
   progress("modes")(-1);
   const std::vector<fem::NaturalMode> modes =
       fem::natural_modes(solver->state(), parameters_.test.modes);

@@ -38,8 +38,9 @@ private:
     double measured = 0, stated = 0; // stated 0: not stated
   };
 
-  void check_sets() const;
-  std::unique_ptr<fem::StaticSolver> supported_piece() const;
+  void make_lattice();
+  void check_conditions() const;
+  std::unique_ptr<fem::StaticSolver> new_solver() const; // of the lattice below, without supports
   fem::LaboratoryProgress progress(const std::string& stage) const;
   void finish(const std::string& test, const std::vector<std::string>& columns,
               const fem::LaboratoryTest& result, const std::filesystem::path& output);
@@ -56,6 +57,8 @@ private:
   LaboratoryParameters parameters_;
   Monitor monitor_;
   fem::GeogridProduct product_;
+  std::unique_ptr<fem::Lattice> lattice_; // of supports and loads, and of modes
+  NodeSets sets_;                         // of that lattice
   std::vector<SupportCondition> supports_;
   std::vector<LoadCondition> loads_;
   std::unique_ptr<History> history_;

@@ -40,6 +40,8 @@ struct LaboratoryTestParameters {
   double gravity = 0;              // [m/s2]
   // Of supports and loads, and of modes.
   int apertures_along = 0, apertures_across = 0; // of the piece
+  std::string lattice_file;                      // .msh instead of a piece; empty: none
+  double lattice_length_unit = 0;                // of that file [m]
   std::string supports, loads;                   // node_conditions.h
   int modes = 0;                                 // number of frequencies
 };

@@ -23,10 +23,10 @@ protected:
     write("product.prm", apps::geogrid_template());
   }
 
-  void expect(const std::string& change, const std::string& entry,
+  void expect(const std::vector<std::string>& changes, const std::string& entry,
               const std::vector<std::string>& words) const
   {
-    expect_refusal([&] { apps::read_parameter_file(folder / "product.prm", {change}); }, entry,
+    expect_refusal([&] { apps::read_parameter_file(folder / "product.prm", changes); }, entry,
                    words);
   }
 
@@ -42,16 +42,17 @@ protected:
 
 TEST_F(BadGeogrid, ValuesAndNames)
 {
-  expect("Product/Pitch along=0", "Product/Pitch along", {"0", "greater than 0", "m"});
-  expect("Product/Rib thickness along=-1e-3", "Product/Rib thickness along",
+  expect({"Product/Pitch along=0"}, "Product/Pitch along", {"0", "greater than 0", "m"});
+  expect({"Product/Rib thickness along=-1e-3"}, "Product/Rib thickness along",
          {"-1e-3", "greater than 0"});
-  expect("Product/Rib width across=0.05", "Product/Rib width across", {"0.05", "overlap"});
-  expect("Product/Poisson ratio=0.7", "Product/Poisson ratio", {"0.7", "from 0 to 0.5"});
-  expect("Laboratory/Test=bending", "Laboratory/Test",
+  expect({"Product/Rib width across=0.05"}, "Product/Rib width across", {"0.05", "overlap"});
+  expect({"Product/Poisson ratio=0.7"}, "Product/Poisson ratio", {"0.7", "from 0 to 0.5"});
+  expect({"Laboratory/Test=bending"}, "Laboratory/Test",
          {"bending", "\"modes\"", "\"flexural overhang\""});
-  expect("Laboratory/Largest strain=5", "Laboratory/Largest strain", {"5", "at most 0.5"});
-  expect("Product/Stiffness at 2 % along=0", "Product/Youngs modulus along", {"must be given"});
-  expect("Product/Youngs modulus along=2e9", "Product/Youngs modulus along", {"Either"});
+  expect({"Laboratory/Largest strain=5"}, "Laboratory/Largest strain", {"5", "at most 0.5"});
+  expect({"Product/Stiffness at 2 % along=0", "Product/Stiffness at 5 % along=0"},
+         "Product/Youngs modulus along", {"must be given"});
+  expect({"Product/Youngs modulus along=2e9"}, "Product/Youngs modulus along", {"Either"});
 }
 
 TEST_F(BadGeogrid, WhatOnlyTheLatticeCanTell)
@@ -63,6 +64,16 @@ TEST_F(BadGeogrid, WhatOnlyTheLatticeCanTell)
   expect_when_prepared({loaded, "Laboratory/Supports=frnt: all"}, "frnt", {"front", "rim"});
   expect_when_prepared({loaded, "Laboratory/Supports=front: all", "Laboratory/Loads=back: q=1"},
                        "Laboratory/Loads", {"\"q\"", "fx"});
+}
+
+TEST_F(BadGeogrid, LatticeFiles)
+{
+  const std::string loaded = "Laboratory/Test=supports and loads";
+  write("text.msh", "nothing of Gmsh\n");
+  expect_when_prepared({loaded, "Laboratory/Lattice file=" + (folder / "text.msh").string()},
+                       "text.msh", {"Lattice file"});
+  expect_when_prepared({loaded, "Laboratory/Lattice file=" + (folder / "none.msh").string()},
+                       "none.msh", {"Lattice file"});
 }
 
 TEST_F(BadGeogrid, EveryProductCanBeRead)
