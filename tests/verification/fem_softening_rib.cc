@@ -82,7 +82,7 @@ TEST(SofteningRib, FollowsItsLawDownAndUpAgain)
 }
 
 // Beyond 9 % the strength holds; the rib comes back along EA. In a chain of elements one of them
-// takes the stretch, because the others have nothing to gain.
+// takes all further stretch.
 TEST(SofteningRib, YieldsAtItsStrength)
 {
   PulledRib rib(1, steps(2));
