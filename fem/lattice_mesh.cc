@@ -92,8 +92,11 @@ LatticeMesh::LatticeMesh(const std::vector<RibLine>& lines, JunctionTies ties)
   tie_junctions(dof_handler_, tolerance, ties, junction_ties_);
   junction_ties_.close();
 
-  const unsigned int n_parts = std::min(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-                                        triangulation_.n_active_cells());
+  // Programs without MPI hold lattices too.
+  const unsigned int n_processes = dealii::Utilities::MPI::job_supports_mpi()
+                                       ? dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)
+                                       : 1;
+  const unsigned int n_parts = std::min(n_processes, triangulation_.n_active_cells());
   if (n_parts > 1) {
     cut_into_parts(n_parts);
     junction_ties_.clear();
