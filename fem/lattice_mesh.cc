@@ -92,7 +92,7 @@ LatticeMesh::LatticeMesh(const std::vector<RibLine>& lines, JunctionTies ties)
   tie_junctions(dof_handler_, tolerance, ties, junction_ties_);
   junction_ties_.close();
 
-  // The explicit integrator runs without MPI too.
+  // Programs without MPI hold lattices too.
   const unsigned int n_processes = dealii::Utilities::MPI::job_supports_mpi()
                                        ? dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)
                                        : 1;

@@ -141,7 +141,7 @@ TEST(Invariance, SixRigidMotionsCostNothing)
   const Lattice& lattice = solver.state().lattice;
   ASSERT_EQ(freedoms.size(), 6u * lattice.n_nodes());
   for (int i = 0; i < lattice.n_nodes(); ++i) {
-    const unsigned int dof = lattice.first_dof(i); // nothing is tied: also the row
+    const unsigned int dof = lattice.dof(i, 0); // nothing is tied: also the row
     NodeLoad force = solver.reaction(i);
     if (i == n) force += NodeLoad::Unit(2) * 600; // all that acts on the node
     for (int c = 0; c < 3; ++c) {
@@ -152,8 +152,8 @@ TEST(Invariance, SixRigidMotionsCostNothing)
   // Lengths in units of an element, so that translations and turns compare.
   for (int i = 0; i < lattice.n_nodes(); ++i)
     for (unsigned int c = 3; c < 6; ++c) {
-      tangent.row(lattice.first_dof(i) + c) /= lattice.element(0).length;
-      tangent.col(lattice.first_dof(i) + c) /= lattice.element(0).length;
+      tangent.row(lattice.dof(i, c)) /= lattice.element(0).length;
+      tangent.col(lattice.dof(i, c)) /= lattice.element(0).length;
     }
   const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(tangent).singularValues();
   EXPECT_LT(values[values.size() - 6], 1e-13 * values[0]);

@@ -49,7 +49,7 @@ double lowest_eigenvalue(int n, double force)
   LatticeSystem system(solver.state(), true, MPI_COMM_SELF);
   std::vector<unsigned int> freedoms;
   for (int i = 1; i < lattice.n_nodes(); ++i) // z, and turns about x and y
-    for (const unsigned int c : {2, 3, 4}) freedoms.push_back(lattice.first_dof(i) + c);
+    for (const unsigned int c : {2, 3, 4}) freedoms.push_back(lattice.dof(i, c));
   const Eigen::MatrixXd tangent = dense_tangent(system, system.present(), freedoms);
   EXPECT_LT((tangent - tangent.transpose()).norm(), 1e-9 * tangent.norm());
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(tangent, Eigen::EigenvaluesOnly)
