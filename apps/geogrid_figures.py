@@ -69,36 +69,69 @@ def stated_forces(table):
     return stated
 
 
+VIEWS = {"plan": (0, 1, "x, along [mm]", "y, across [mm]"), "side": (0, 2, "x, along [mm]", "z [mm]")}
+
+
+def views_of(points):
+    """Plan, side or both: a view in which the piece is next to a line shows nothing."""
+    size = np.ptp(points, axis=0)
+    return [name for name, (_, up, _, _) in VIEWS.items() if size[up] > 0.02 * size.max()] or ["plan"]
+
+
+def colour_field(series, test):
+    """Name and values of the section force that says most about the test; None for modes, which have none."""
+    fields = {"axial force [N]": ("axial_force", 1), "in-plane moment [N mm]": ("moment_in_plane", 1e3),
+              "out-of-plane moment [N mm]": ("moment_out_of_plane", 1e3)}
+    if test == "modes":
+        return None
+    values = {name: scale * series.attribute(0, field) for name, (field, scale) in fields.items()}
+    first = test.split()[0]
+    name = {"wide-width": "axial force [N]", "single-rib": "axial force [N]",
+            "aperture": "in-plane moment [N mm]",
+            "supports": max(values, key=lambda n: np.abs(values[n]).max())}.get(first, "out-of-plane moment [N mm]")
+    return name, values[name]
+
+
 def draw_piece(run, test, target):
-    """The deformed piece, coloured by the largest section force or moment, over its unloaded outline."""
+    """The deformed piece over its unloaded outline, coloured by a section force; of modes the first four."""
     import field_figures  # h5py is needed for this only
     from matplotlib.collections import LineCollection
 
     series = field_figures.open_series(run, test.replace(" ", "_"))
     if series is None:
         raise FileNotFoundError(f"{run} holds no fields of the test")
-    points, lines = series.points(0), series.lines(0)
-    unloaded = points - series.attribute(0, "displacement")
-    fields = {"axial force [N]": series.attribute(0, "axial_force"),
-              "in-plane moment [N mm]": 1e3 * series.attribute(0, "moment_in_plane"),
-              "out-of-plane moment [N mm]": 1e3 * series.attribute(0, "moment_out_of_plane")}
-    name = {"wide-width": "axial force [N]", "single-rib": "axial force [N]",
-            "aperture": "in-plane moment [N mm]"}.get(test.split()[0], "out-of-plane moment [N mm]")
-    # A hanging strip is seen from the side.
-    axes = (0, 2) if test.startswith("flexural") else (0, 1)
-    figure, axis = plt.subplots(figsize=(6, 4.5))
-    axis.add_collection(LineCollection(1e3 * unloaded[:, axes][lines], colors="#cccccc", linewidths=1))
-    ribs = LineCollection(1e3 * points[:, axes][lines], array=fields[name], cmap="coolwarm", linewidths=2.2)
-    limit = np.abs(fields[name]).max() or 1
-    ribs.set_clim(-limit, limit)
-    axis.add_collection(ribs)
-    axis.autoscale()
-    axis.set_aspect("equal")
-    axis.set_xlabel("x, along [mm]")
-    axis.set_ylabel("z [mm]" if axes[1] == 2 else "y, across [mm]")
-    axis.set_title(f"{test}: last state, true scale (grey: unloaded)", fontsize=9)
-    figure.colorbar(ribs, label=name)
-    save(figure, target)
+    frames = range(min(4, len(series))) if test == "modes" else [0]
+    views = views_of(np.concatenate([series.points(frame) for frame in frames]))
+    figure, axes = plt.subplots(len(frames), len(views), squeeze=False,
+                                figsize=(5.5 * len(views) + 0.5, 4.2 * len(frames)))
+    field = colour_field(series, test)
+    for row, frame in zip(axes, frames):
+        points, lines = series.points(frame), series.lines(frame)
+        unloaded = points - series.attribute(frame, "displacement")
+        for axis, view in zip(row, views):
+            across, up, x_label, y_label = VIEWS[view]
+            axis.add_collection(LineCollection(1e3 * unloaded[:, (across, up)][lines], colors="#cccccc",
+                                               linewidths=1))
+            ribs = LineCollection(1e3 * points[:, (across, up)][lines], linewidths=2.2)
+            if field is None:
+                ribs.set_color(figures.COLOURS[0])
+                axis.set_title(f"mode {frame + 1}", fontsize=9)
+            else:
+                limit = np.abs(field[1]).max() or 1
+                ribs.set(array=field[1], cmap="coolwarm", clim=(-limit, limit))
+                axis.set_title(f"{test}: last state, true scale (grey: unloaded)", fontsize=9)
+            axis.add_collection(ribs)
+            axis.autoscale()
+            axis.set_aspect("equal")
+            axis.set_xlabel(x_label)
+            axis.set_ylabel(y_label)
+    if field is not None:
+        figure.colorbar(ribs, ax=list(axes.flat), label=field[0])
+        figure.savefig(target, dpi=140, bbox_inches="tight")
+        plt.close(figure)
+        print(f"Wrote {target}.")
+    else:
+        save(figure, target)
 
 
 def save(figure, target):

@@ -65,6 +65,8 @@ fem::GeogridProduct geogrid_product(const ProductParameters& parameters)
   product.pitch_across = parameters.pitch_across;
   product.elements_per_rib = parameters.elements_per_rib;
   product.junctions = {parameters.junction_reach, parameters.junction_thickness};
+  if (parameters.junction_stiffness > 0)
+    product.junction_stiffness.in_plane = parameters.junction_stiffness;
   product.pattern =
       parameters.pattern == "triaxial" ? fem::Pattern::triaxial : fem::Pattern::biaxial;
   // A sheet of triangles of ribs EA has the stiffness 2 EA/(sqrt(3) side) in every direction.
@@ -257,8 +259,7 @@ void Laboratory::loaded(const std::filesystem::path& output)
   }
   add_row("largest axial force of a rib", "largest_axial_force_N", "N", axial, 0);
   for (const SupportCondition& support : supports_) {
-    fem::NodeLoad sum = fem::NodeLoad::Zero();
-    for (const int node : sets_.at(support.set)) sum += test.solver->reaction(node);
+    const fem::NodeLoad sum = fem::total_reaction(*test.solver, sets_.at(support.set));
     const char* names[] = {"x", "y", "z"};
     for (int c = 0; c < 3; ++c)
       add_row("reaction of " + support.set + ", " + names[c],

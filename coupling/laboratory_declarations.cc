@@ -47,6 +47,9 @@ void declare_product(ParameterTable& table, ProductParameters& product)
       "uniform. [m]");
   table.offer("Junction thickness", product.junction_thickness, 0, not_negative,
               "Thickness of junctions; needed with a reach. [m]");
+  table.offer(
+      "Junction stiffness", product.junction_stiffness, 0, not_negative,
+      "Torque over in-plane angle between ribs that cross; 0: junctions are rigid. [N m/rad]");
   table.offer("Elements per rib", product.elements_per_rib, 8, {1, 1000, true},
               "Beam elements between two junctions. [-]");
 }

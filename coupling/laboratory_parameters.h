@@ -27,6 +27,7 @@ struct ProductParameters {
   double density = 0;        // [kg/m3]
   double junction_reach = 0; // distance from a junction up to which ribs are thicker; 0: none [m]
   double junction_thickness = 0; // of the ribs there [m]
+  double junction_stiffness = 0; // in the plane, between ribs that cross; 0: rigid [N m/rad]
   int elements_per_rib = 8;
 };
 

@@ -53,14 +53,23 @@ LaboratoryTest pull(const Lattice& lattice, double length, double width, double 
     const double strain = largest_strain * k / steps;
     for (const int node : moved) test.solver->prescribe(node, 0, strain * length);
     test.solver->solve();
-    double force = 0;
-    for (const int node : moved) force += test.solver->reaction(node)[0];
-    test.path.push_back({strain, force / width});
+    test.path.push_back({strain, total_reaction(*test.solver, moved)[0] / width});
     if (progress) progress(static_cast<double>(k) / steps);
   }
   return test;
 }
 } // namespace
+
+NodeLoad total_reaction(const StaticSolver& solver, const std::vector<int>& nodes)
+{
+  NodeLoad sum = NodeLoad::Zero();
+  for (const int node : nodes) {
+    const NodeLoad reaction = solver.reaction(node);
+    if (solver.lattice().joined_nodes(node).front() == node) sum.head<3>() += reaction.head<3>();
+    sum.tail<3>() += reaction.tail<3>();
+  }
+  return sum;
+}
 
 double load_at(const std::vector<LaboratoryPoint>& path, double deformation)
 {
@@ -113,9 +122,12 @@ LaboratoryTest aperture_stability(const GeogridProduct& product, double largest_
     return x.x() < near || x.x() > length - near || std::abs(x.y()) > half_width - near;
   }));
   const int middle = lattice.nearest_node({0.5 * length, 0, 0});
+  const std::vector<int> together = lattice.joined_nodes(middle);
   test.path.push_back({});
   for (int k = 1; k <= steps; ++k) {
-    test.solver->add_load(middle, {0, 0, 0}, {0, 0, largest_torque / steps});
+    // All ribs that meet in the middle are turned together.
+    for (const int node : together)
+      test.solver->add_load(node, {0, 0, 0}, {0, 0, largest_torque / steps / together.size()});
     test.solver->solve();
     const Eigen::Quaterniond& q = test.solver->orientation(middle);
     test.path.push_back({2 * std::atan2(q.z(), q.w()), largest_torque * k / steps});

@@ -26,6 +26,10 @@ struct LaboratoryTest {
 // Called after each step with the share that is done; may throw to end the test.
 using LaboratoryProgress = std::function<void(double share)>;
 
+// Sum of what supports exert on these nodes, each moment about its own node [N, N m]. Nodes that a
+// junction joins share one force, which counts once: for the first of them.
+NodeLoad total_reaction(const StaticSolver& solver, const std::vector<int>& nodes);
+
 // Load of a path at a deformation, linear between its points.
 // Throws std::invalid_argument when the path does not reach it.
 double load_at(const std::vector<LaboratoryPoint>& path, double deformation);

@@ -54,7 +54,7 @@ Lattice strip(const GeogridProduct& product, int ribs, double length)
       lines.back().shape = product.ribs_across.shape;
     }
   if (product.junctions.reach > 0) lines = thicken_junctions(lines, product.junctions);
-  return Lattice(std::move(lines));
+  return Lattice(std::move(lines), product.junction_stiffness);
 }
 
 // The strip of this length under its weight.

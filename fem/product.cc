@@ -66,7 +66,7 @@ Lattice piece(const GeogridProduct& product, int apertures_along, int apertures_
                                    ? biaxial_lines(product, apertures_along, apertures_across)
                                    : triaxial_lines(product, apertures_along, apertures_across);
   if (product.junctions.reach > 0) lines = thicken_junctions(lines, product.junctions);
-  return Lattice(std::move(lines));
+  return Lattice(std::move(lines), product.junction_stiffness);
 }
 
 double width_of_piece(const GeogridProduct& product, int apertures_across)

@@ -18,10 +18,11 @@ struct GeogridProduct {
   // distance of neighbouring transverse ribs (the height of a triangle), and their distance from
   // junction to junction (the side) [m].
   double pitch_along = 0, pitch_across = 0;
-  RibProfile ribs_along;    // that run along; of a triaxial geogrid both diagonal families
-  RibProfile ribs_across;   // that run across
-  JunctionZone junctions;   // thicker zones around the junctions; reach 0: none
-  int elements_per_rib = 8; // between two junctions
+  RibProfile ribs_along;  // that run along; of a triaxial geogrid both diagonal families
+  RibProfile ribs_across; // that run across
+  JunctionZone junctions; // thicker zones around the junctions; reach 0: none
+  JunctionStiffness junction_stiffness; // rigid where it is infinite
+  int elements_per_rib = 8;             // between two junctions
 
   // Mass per area of a large sheet, without thicker zones [kg/m2].
   double mass_per_area() const;

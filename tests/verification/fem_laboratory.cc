@@ -66,6 +66,31 @@ TEST(Laboratory, ApertureStabilityOfFourRibs)
   EXPECT_NEAR(test.path.back().load / test.path.back().deformation / expected, 1, 1e-6);
 }
 
+// Tension along the ribs does not feel the springs of the junctions; a torque does.
+TEST(Laboratory, SemiRigidJunctions)
+{
+  GeogridProduct p = product();
+  p.junction_stiffness.in_plane = 0.5;
+  const double along = p.ribs_along.section.axial / p.pitch_across;
+  EXPECT_NEAR(load_at(wide_width_tension(p, 0.02, 1).path, 0.02), 0.02 * along, 1e-6 * along);
+
+  // 2 x 2: both lines carry half of the torque, each like two clamped ribs; the spring between them
+  // turns by what their stiffnesses differ. The path gives the rotation of the first line, which
+  // runs along.
+  p.pitch_along = 0.11;
+  p.pitch_across = 0.12;
+  const auto stiffness = [](const BeamSection& s, double a) {
+    const double f = 12 * s.bending_3 / (s.shear_2 * a * a);
+    return 2 * s.bending_3 / a * (4 + f) / (1 + f);
+  };
+  const double first = stiffness(p.ribs_along.section, p.pitch_along),
+               second = stiffness(p.ribs_across.section, p.pitch_across),
+               k = p.junction_stiffness.in_plane, torque = 1e-4 * first;
+  // (first + k) r1 - k r2 = T/2, (second + k) r2 - k r1 = T/2
+  const double rotation = 0.5 * torque * (second + 2 * k) / ((first + k) * (second + k) - k * k);
+  EXPECT_NEAR(aperture_stability(p, torque, 1).path.back().deformation / rotation, 1, 1e-6);
+}
+
 // L = 2.00035 (D/w)^(1/3) for a uniform strip, from D theta'' = -w s cos(theta) integrated to
 // 1e-12. Nodal weights err with the square of the element length over L: 1/130 squared.
 TEST(Laboratory, OverhangFindsTheBendingStiffness)
