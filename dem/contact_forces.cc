@@ -265,25 +265,12 @@ void evaluate_wall(const Clumps& clumps, const Wall& wall, double dt, WallSegmen
 
 namespace
 {
-// Lanes that do not touch hold zeros, but for what a contact that has just opened lost.
-void add_energies(const ContactLanes& lanes, int begin, int end, ContactEnergy& energy)
+// What a contact that has just opened lost counts, too.
+INTERLOCK_LANE void add_energy(const ContactLanes& lanes, int k, ContactEnergy& energy)
 {
-  const double* __restrict elastic = lanes.elastic.row(0);
-  const double* __restrict friction = lanes.friction.row(0);
-  const double* __restrict damping = lanes.damping.row(0);
-  // One partial sum a lane of a register: the order of the sums is fixed.
-  double e[lane_width] = {}, f[lane_width] = {}, d[lane_width] = {};
-  for (int k = begin; k < end; k += lane_width)
-    for (int l = 0; l < lane_width; ++l) {
-      e[l] += elastic[k + l];
-      f[l] += friction[k + l];
-      d[l] += damping[k + l];
-    }
-  for (int l = 0; l < lane_width; ++l) {
-    energy.elastic += e[l];
-    energy.friction += f[l];
-    energy.damping += d[l];
-  }
+  energy.elastic += lanes.elastic[k];
+  energy.friction += lanes.friction[k];
+  energy.damping += lanes.damping[k];
 }
 
 int count_touching(const ContactLanes& lanes, int begin, int end)
@@ -295,20 +282,23 @@ int count_touching(const ContactLanes& lanes, int begin, int end)
 }
 } // namespace
 
-// Without branches: a lane that does not touch adds zeros. Runs of one clump, kept in registers,
-// cost more in mispredicted ends than they save.
+// Without branches: a lane that does not touch adds zeros, so that lanes which are only about to
+// touch change no digit. Runs of one clump, kept in registers, cost more in mispredicted ends than
+// they save.
 int add_pair_forces(const ContactLanes& lanes, WrenchSums& sums, ContactEnergy& energy)
 {
   const int n = lanes.overlap.padded_size();
+  ContactEnergy all = energy;
   for (int k = 0; k < n; k += 4) {
     const auto force = quads(lanes.force, k), torque1 = quads(lanes.torque1, k),
                torque2 = quads(lanes.torque2, k);
     for (int l = 0; l < 4; ++l) {
       sums.add(lanes.i[k + l], force[l], torque1[l]);
       sums.add(lanes.j[k + l], -force[l], torque2[l]);
+      add_energy(lanes, k + l, all);
     }
   }
-  add_energies(lanes, 0, n, energy);
+  energy = all;
   return count_touching(lanes, 0, n);
 }
 
@@ -322,10 +312,10 @@ int add_wall_forces(const ContactLanes& lanes, WallSegment segment, WrenchSums& 
     for (int l = 0; l < 4; ++l) {
       sums.add(lanes.i[k + l], force[l], torque[l]);
       on_stones += force[l];
+      add_energy(lanes, k + l, energy);
     }
   }
   wall.force = {-on_stones[0], -on_stones[1], -on_stones[2]};
-  add_energies(lanes, segment.begin, end, energy);
   return count_touching(lanes, segment.begin, end);
 }
 

@@ -16,9 +16,8 @@ double rounding_level(const Lattice& lattice)
 }
 
 LoadStep::LoadStep(LatticeSystem& system, const StaticState& state, const StaticOptions& options)
-    : system_(system), state_(state), options_(options),
-      rounding_level_(rounding_level(state.lattice)), x_(system.new_vector()),
-      f_(system.new_vector()), sum_(system.new_vector())
+    : system_(system), options_(options), rounding_level_(rounding_level(state.lattice)),
+      x_(system.new_vector()), f_(system.new_vector()), sum_(system.new_vector())
 {
   SNES snes = nullptr;
   KSP ksp = nullptr;

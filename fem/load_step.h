@@ -40,15 +40,14 @@ private:
                                   PetscReal residual, SNESConvergedReason* reason, void* self);
 
   LatticeSystem& system_;
-  const StaticState& state_;
   const StaticOptions& options_;
   double rounding_level_ =
       0; // norm of the residual that the last digit of the coordinates causes [N]
   SnesOwner snes_;
   dealii::PETScWrappers::MPI::Vector x_, f_, sum_;
   const std::vector<NodeLoad>* loads_ = nullptr;       // of the step being solved
-  bool has_tangent_ = false, is_fresh_ = false;        // fresh: of the last iteration
-  double reuse_ = 0, last_step_ = 0, contraction_ = 0; // of the Newton steps
+  bool is_fresh_ = false;                              // the tangent is that of the last iteration
+  double reuse_ = 0, last_step_ = 0, contraction_ = 1; // of the Newton steps
   dealii::Vector<double> solution_;
 };
 
