@@ -12,11 +12,11 @@ using dem::Vector3;
 
 namespace
 {
-coupling::GeogridParameters geogrid()
+coupling::GeogridParameters geogrid(int apertures_along, int apertures_across)
 {
   coupling::GeogridParameters p;
-  p.apertures_along = 6;
-  p.apertures_across = 3;
+  p.apertures_along = apertures_along;
+  p.apertures_across = apertures_across;
   p.pitch_along = p.pitch_across = 0.065;
   p.rib_width = 5e-3;
   p.rib_thickness = 2.5e-3;
@@ -61,11 +61,14 @@ dem::Engine settled_stones()
 
 static void beam_step(benchmark::State& state)
 {
-  coupling::Geogrid grid = coupling::Geogrid::biaxial(geogrid(), Vector3::Zero(), 9.81);
+  coupling::Geogrid grid = coupling::Geogrid::biaxial(
+      geogrid(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))), Vector3::Zero(),
+      9.81);
   for (auto _ : state) grid.dynamics().step(1e-6);
   state.counters["elements"] = grid.lattice().n_elements();
 }
-BENCHMARK(beam_step)->Unit(benchmark::kMicrosecond);
+// The lattice of the pull-out case, and one of 480 elements.
+BENCHMARK(beam_step)->Args({6, 3})->Args({5, 5})->Unit(benchmark::kMicrosecond);
 
 static void stone_step(benchmark::State& state)
 {
