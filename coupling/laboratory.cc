@@ -67,8 +67,9 @@ fem::GeogridProduct geogrid_product(const ProductParameters& parameters)
   product.junctions = {parameters.junction_reach, parameters.junction_thickness};
   if (parameters.junction_stiffness > 0)
     product.junction_stiffness.in_plane = parameters.junction_stiffness;
-  product.pattern =
-      parameters.pattern == "triaxial" ? fem::Pattern::triaxial : fem::Pattern::biaxial;
+  product.pattern = parameters.pattern == "triaxial"   ? fem::Pattern::triaxial
+                    : parameters.pattern == "uniaxial" ? fem::Pattern::uniaxial
+                                                       : fem::Pattern::biaxial;
   // A sheet of triangles of ribs EA has the stiffness 2 EA/(sqrt(3) side) in every direction.
   const double spacing = std::sqrt(0.75) * parameters.pitch_across;
   const bool triaxial = product.pattern == fem::Pattern::triaxial;
@@ -297,11 +298,11 @@ Summary Laboratory::run(const std::filesystem::path& output)
   const LaboratoryTestParameters& p = parameters_.test;
   const bool all = p.test == "data sheet";
   if (all || p.test == "wide-width tension") tension(all ? "along" : p.direction, false, output);
-  const bool biaxial = product_.pattern == fem::Pattern::biaxial;
-  if (all && biaxial) tension("across", false, output);
+  if (all && product_.pattern == fem::Pattern::biaxial) tension("across", false, output);
   if (p.test == "single-rib tension") tension(p.direction, true, output);
-  if (all || p.test == "aperture stability") stability(output);
-  if ((all && biaxial) || p.test == "flexural overhang")
+  if ((all && product_.pattern != fem::Pattern::uniaxial) || p.test == "aperture stability")
+    stability(output);
+  if ((all && product_.pattern != fem::Pattern::triaxial) || p.test == "flexural overhang")
     overhang(all ? "along" : p.direction, output);
   if (p.test == "supports and loads") loaded(output);
   if (p.test == "modes") modes(output);

@@ -28,10 +28,9 @@ void declare_product(ParameterTable& table, ProductParameters& product)
 {
   table.open_section("Product");
   table.offer_text("Name", product.name, "Name of the product, for tables and figures.");
-  table.offer_choice(
-      "Pattern", product.pattern, "biaxial", {"biaxial", "triaxial"},
-      "Squares or rectangles, or equilateral triangles with one family of ribs across; "
-      "ribs along are then both diagonal families.");
+  table.offer_choice("Pattern", product.pattern, "biaxial", {"biaxial", "uniaxial", "triaxial"},
+                     "Ribs both ways; ribs along that bars across hold together; or equilateral "
+                     "triangles, whose ribs along are both diagonal families.");
   table.require(
       "Pitch along", product.pitch_along, positive,
       "Centre to centre of neighbouring ribs that run across (cross-machine direction). [m]");
@@ -151,9 +150,10 @@ std::vector<ParameterProblem> check_laboratory(const LaboratoryParameters& param
   const LaboratoryTestParameters& test = parameters.test;
   if (product.pattern == "triaxial" &&
       (test.test == "single-rib tension" || test.test == "flexural overhang"))
-    problems.add("Laboratory/Test", "The ", test.test, " is offered for biaxial geogrids only.");
-  if (product.pattern == "triaxial" && test.direction == "across")
-    problems.add("Laboratory/Direction", "A triaxial geogrid is tested along only.");
+    problems.add("Laboratory/Test", "The ", test.test, " is not offered for triaxial geogrids.");
+  if (product.pattern != "biaxial" && test.direction == "across")
+    problems.add("Laboratory/Direction",
+                 "Only biaxial geogrids are tested across, and this one is ", product.pattern, ".");
   const double thickest = std::max(product.along.thickness, product.across.thickness);
   if (product.junction_reach > 0 && product.junction_thickness < thickest)
     problems.add("Product/Junction thickness", "Junctions are ", product.junction_thickness,

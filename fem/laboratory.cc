@@ -29,10 +29,10 @@ std::vector<int> nodes_where(const Lattice& lattice,
   return nodes;
 }
 
-void require_biaxial(const GeogridProduct& product, const std::string& test)
+void refuse_triaxial(const GeogridProduct& product, const std::string& test)
 {
-  if (product.pattern != Pattern::biaxial)
-    throw std::invalid_argument(test + " is offered for biaxial geogrids only.");
+  if (product.pattern == Pattern::triaxial)
+    throw std::invalid_argument(test + " is not offered for triaxial geogrids.");
 }
 
 // Pulls the nodes at x = `length` away from those at x = 0. `width` [m] is what the force is spread
@@ -89,7 +89,7 @@ LaboratoryTest wide_width_tension(const GeogridProduct& product, double largest_
   const int along =
       std::max(2, static_cast<int>(std::ceil(tension_length / product.pitch_along - 1e-9)));
   const double ribs = std::round(tension_width / product.pitch_across);
-  const int across = std::max(1, static_cast<int>(ribs) - (product.pattern == Pattern::biaxial));
+  const int across = std::max(1, static_cast<int>(ribs) - (product.pattern != Pattern::triaxial));
   return pull(piece(product, along, across), length_of_piece(product, along),
               width_of_piece(product, across), largest_strain, steps, progress);
 }
@@ -97,7 +97,7 @@ LaboratoryTest wide_width_tension(const GeogridProduct& product, double largest_
 LaboratoryTest single_rib_tension(const GeogridProduct& product, double largest_strain, int steps,
                                   const LaboratoryProgress& progress)
 {
-  require_biaxial(product, "Single-rib tension");
+  refuse_triaxial(product, "Single-rib tension");
   const double length = product.pitch_along;
   const Lattice rib({straight_line({0, 0, 0}, {length, 0, 0}, product.elements_per_rib,
                                    product.ribs_along.section)});

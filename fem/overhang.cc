@@ -89,8 +89,8 @@ double fall_angle(const StaticSolver& solver, double length)
 OverhangResult flexural_overhang(const GeogridProduct& product, int ribs, double gravity,
                                  const LaboratoryProgress& progress)
 {
-  if (product.pattern != Pattern::biaxial)
-    throw std::invalid_argument("The flexural overhang is offered for biaxial geogrids only.");
+  if (product.pattern == Pattern::triaxial)
+    throw std::invalid_argument("The flexural overhang is not offered for triaxial geogrids.");
   const double weight = product.mass_per_area() * gravity; // [N/m2]
   const double guess =
       2 * std::cbrt(product.ribs_along.section.bending_2 / product.pitch_across / weight);

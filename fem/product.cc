@@ -1,6 +1,7 @@
 #include "fem/product.h"
 
 #include "fem/triaxial_layout.h"
+#include "fem/uniaxial_layout.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -20,6 +21,22 @@ std::vector<RibLine> biaxial_lines(const GeogridProduct& product, int along, int
   layout.elements_per_rib = product.elements_per_rib;
   layout.section_along = product.ribs_along.shape;
   layout.section_across = product.ribs_across.shape;
+  std::vector<RibLine> lines = rib_lines(layout);
+  for (int l = 0; l < static_cast<int>(lines.size()); ++l)
+    lines[l].section = (l <= across ? product.ribs_along : product.ribs_across).section;
+  return lines;
+}
+
+std::vector<RibLine> uniaxial_lines(const GeogridProduct& product, int along, int across)
+{
+  UniaxialLayout layout;
+  layout.apertures_along = along;
+  layout.apertures_across = across;
+  layout.bar_pitch = product.pitch_along;
+  layout.rib_pitch = product.pitch_across;
+  layout.elements_per_rib = product.elements_per_rib;
+  layout.rib = product.ribs_along.shape;
+  layout.bar = product.ribs_across.shape;
   std::vector<RibLine> lines = rib_lines(layout);
   for (int l = 0; l < static_cast<int>(lines.size()); ++l)
     lines[l].section = (l <= across ? product.ribs_along : product.ribs_across).section;
@@ -52,8 +69,8 @@ double GeogridProduct::mass_per_area() const
 
 GeogridProduct turned(const GeogridProduct& product)
 {
-  if (product.pattern == Pattern::triaxial)
-    throw std::invalid_argument("A triaxial geogrid is tested along only.");
+  if (product.pattern != Pattern::biaxial)
+    throw std::invalid_argument("Only a biaxial geogrid is tested in both directions.");
   GeogridProduct other = product;
   std::swap(other.pitch_along, other.pitch_across);
   std::swap(other.ribs_along, other.ribs_across);
@@ -62,16 +79,17 @@ GeogridProduct turned(const GeogridProduct& product)
 
 Lattice piece(const GeogridProduct& product, int apertures_along, int apertures_across)
 {
-  std::vector<RibLine> lines = product.pattern == Pattern::biaxial
-                                   ? biaxial_lines(product, apertures_along, apertures_across)
-                                   : triaxial_lines(product, apertures_along, apertures_across);
+  const auto lines_of = product.pattern == Pattern::biaxial    ? biaxial_lines
+                        : product.pattern == Pattern::uniaxial ? uniaxial_lines
+                                                               : triaxial_lines;
+  std::vector<RibLine> lines = lines_of(product, apertures_along, apertures_across);
   if (product.junctions.reach > 0) lines = thicken_junctions(lines, product.junctions);
   return Lattice(std::move(lines), product.junction_stiffness);
 }
 
 double width_of_piece(const GeogridProduct& product, int apertures_across)
 {
-  return (product.pattern == Pattern::biaxial ? apertures_across + 1 : apertures_across) *
+  return (product.pattern == Pattern::triaxial ? apertures_across : apertures_across + 1) *
          product.pitch_across;
 }
 } // namespace interlock::fem

@@ -8,15 +8,15 @@
 
 namespace interlock::fem
 {
-enum class Pattern { biaxial, triaxial };
+enum class Pattern { biaxial, uniaxial, triaxial };
 
 // Directions as on data sheets: along is the machine direction of the roll (x of a piece), across
 // the cross-machine direction (y).
 struct GeogridProduct {
   Pattern pattern = Pattern::biaxial;
-  // Biaxial: centre to centre of the ribs that run across, and of those that run along. Triaxial:
-  // distance of neighbouring transverse ribs (the height of a triangle), and their distance from
-  // junction to junction (the side) [m].
+  // Biaxial: centre to centre of the ribs that run across, and of those that run along. Uniaxial:
+  // of the bars, which run across, and of the ribs. Triaxial: distance of neighbouring transverse
+  // ribs (the height of a triangle), and their distance from junction to junction (the side) [m].
   double pitch_along = 0, pitch_across = 0;
   RibProfile ribs_along;  // that run along; of a triaxial geogrid both diagonal families
   RibProfile ribs_across; // that run across
@@ -29,7 +29,7 @@ struct GeogridProduct {
 };
 
 // The same sheet seen from the other direction: along and across change places.
-// Throws std::invalid_argument for a triaxial product, whose directions are not alike.
+// Throws std::invalid_argument for a product that is not biaxial.
 GeogridProduct turned(const GeogridProduct& product);
 
 // A piece of whole apertures (triaxial: triangle heights and sides) that starts at x = 0; its

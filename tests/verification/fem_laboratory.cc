@@ -106,6 +106,33 @@ TEST(Laboratory, OverhangFindsTheBendingStiffness)
   EXPECT_NEAR(three.length / expected, 1, 2e-4);
 }
 
+// Ribs carry all of the tension, whatever the bars. A triaxial sheet of softly bending ribs has 2
+// EA/(sqrt(3) a), between what edges that hinder the contraction add and diagonals that end at the
+// sides take away.
+TEST(Laboratory, OtherPatterns)
+{
+  GeogridProduct uniaxial = product();
+  uniaxial.pattern = Pattern::uniaxial;
+  uniaxial.pitch_along = 0.2;
+  uniaxial.ribs_across = ribs(0.016, 0.003, 910);
+  const double along = uniaxial.ribs_along.section.axial / uniaxial.pitch_across;
+  EXPECT_NEAR(load_at(wide_width_tension(uniaxial, 0.02, 1).path, 0.02), 0.02 * along,
+              1e-6 * along);
+  EXPECT_THROW(turned(uniaxial), std::invalid_argument);
+
+  GeogridProduct triaxial = product();
+  triaxial.pattern = Pattern::triaxial;
+  triaxial.pitch_across = 0.046;
+  triaxial.pitch_along = std::sqrt(0.75) * triaxial.pitch_across;
+  triaxial.ribs_along = triaxial.ribs_across = ribs(0.0012, 0.0016, 910);
+  const double sheet =
+      triaxial.ribs_along.section.axial / (std::sqrt(0.75) * triaxial.pitch_across);
+  const double measured = load_at(wide_width_tension(triaxial, 0.002, 1).path, 0.002) / 0.002;
+  EXPECT_LT(measured, 9. / 8 * sheet); // as if no part of the sheet could contract
+  EXPECT_GT(measured, 0.7 * sheet);
+  EXPECT_THROW(single_rib_tension(triaxial, 0.02, 1), std::invalid_argument);
+}
+
 TEST(Laboratory, TurnedProductHasTheSameMass)
 {
   const GeogridProduct p = product();
