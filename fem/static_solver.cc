@@ -67,7 +67,8 @@ std::string refusal(const LoadStep::Outcome& outcome, double step, int n_steps)
   std::ostringstream text;
   if (outcome.singular())
     text << "The lattice is not held: it can move as a rigid body or a mechanism, after load step "
-         << step << " of " << n_steps << ".";
+         << step << " of " << n_steps
+         << "; or the linear solver that statics_ options chose does not converge.";
   else
     text << "Newton's method stopped after load step " << step << " of " << n_steps
          << ", after halving it six times: " << SNESConvergedReasons[outcome.reason] << " after "
