@@ -130,10 +130,16 @@ void Laboratory::check_conditions() const
 {
   for (const SupportCondition& support : supports_) nodes_of(support.set, sets_);
   for (const LoadCondition& load : loads_) nodes_of(load.set, sets_);
-  if (parameters_.test.test == "modes") return;
   const std::unique_ptr<fem::StaticSolver> solver = new_solver();
   apply(supports_, 1, sets_, *solver);
-  fem::require_held(solver->state());
+  if (parameters_.test.test != "modes") {
+    fem::require_held(solver->state());
+    return;
+  }
+  const int free = fem::n_free_freedoms(solver->state()), modes = parameters_.test.modes;
+  if (modes > free)
+    throw InputError("Laboratory/Modes is " + std::to_string(modes) + ", but must be at most " +
+                     std::to_string(free) + ", the number of free freedoms of the lattice.");
 }
 
 std::unique_ptr<fem::StaticSolver> Laboratory::new_solver() const

@@ -126,6 +126,15 @@ private:
 };
 } // namespace
 
+int n_free_freedoms(const StaticState& state, MPI_Comm communicator)
+{
+  LatticeSystem system(state, true, communicator);
+  system.set_supports(resting_supports(state));
+  PetscInt size = 0;
+  check(ISGetSize(free_freedoms(system).get(), &size));
+  return static_cast<int>(size);
+}
+
 std::vector<NaturalMode> natural_modes(const StaticState& state, int count, bool rbf,
                                        MPI_Comm communicator)
 {

@@ -35,4 +35,7 @@ struct NaturalMode {
 // std::runtime_error when the method does not converge or misses a mode.
 std::vector<NaturalMode> natural_modes(const StaticState& state, int count, bool rbf = true,
                                        MPI_Comm communicator = MPI_COMM_WORLD);
+
+// Freedoms that are neither supported nor tied to others: as many modes as a lattice has.
+int n_free_freedoms(const StaticState& state, MPI_Comm communicator = MPI_COMM_WORLD);
 } // namespace interlock::fem

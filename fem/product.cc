@@ -11,6 +11,16 @@ namespace interlock::fem
 {
 namespace
 {
+// Layouts take shapes only. The first `n_first` lines get the section of one family, the rest that
+// of the other.
+std::vector<RibLine> with_sections(std::vector<RibLine> lines, int n_first, const RibProfile& first,
+                                   const RibProfile& rest)
+{
+  for (int l = 0; l < static_cast<int>(lines.size()); ++l)
+    lines[l].section = (l < n_first ? first : rest).section;
+  return lines;
+}
+
 std::vector<RibLine> biaxial_lines(const GeogridProduct& product, int along, int across)
 {
   BiaxialLayout layout;
@@ -21,10 +31,7 @@ std::vector<RibLine> biaxial_lines(const GeogridProduct& product, int along, int
   layout.elements_per_rib = product.elements_per_rib;
   layout.section_along = product.ribs_along.shape;
   layout.section_across = product.ribs_across.shape;
-  std::vector<RibLine> lines = rib_lines(layout);
-  for (int l = 0; l < static_cast<int>(lines.size()); ++l)
-    lines[l].section = (l <= across ? product.ribs_along : product.ribs_across).section;
-  return lines;
+  return with_sections(rib_lines(layout), across + 1, product.ribs_along, product.ribs_across);
 }
 
 std::vector<RibLine> uniaxial_lines(const GeogridProduct& product, int along, int across)
@@ -37,10 +44,7 @@ std::vector<RibLine> uniaxial_lines(const GeogridProduct& product, int along, in
   layout.elements_per_rib = product.elements_per_rib;
   layout.rib = product.ribs_along.shape;
   layout.bar = product.ribs_across.shape;
-  std::vector<RibLine> lines = rib_lines(layout);
-  for (int l = 0; l < static_cast<int>(lines.size()); ++l)
-    lines[l].section = (l <= across ? product.ribs_along : product.ribs_across).section;
-  return lines;
+  return with_sections(rib_lines(layout), across + 1, product.ribs_along, product.ribs_across);
 }
 
 std::vector<RibLine> triaxial_lines(const GeogridProduct& product, int along, int across)
@@ -52,10 +56,7 @@ std::vector<RibLine> triaxial_lines(const GeogridProduct& product, int along, in
   layout.elements_per_rib = product.elements_per_rib;
   layout.section_across = product.ribs_across.shape;
   layout.section_rising = layout.section_falling = product.ribs_along.shape;
-  std::vector<RibLine> lines = rib_lines(layout);
-  for (int l = 0; l < static_cast<int>(lines.size()); ++l)
-    lines[l].section = (l <= along ? product.ribs_across : product.ribs_along).section;
-  return lines;
+  return with_sections(rib_lines(layout), along + 1, product.ribs_across, product.ribs_along);
 }
 } // namespace
 

@@ -67,6 +67,12 @@ TEST_F(BadGeogrid, WhatOnlyTheLatticeCanTell)
                        "Laboratory/Loads", {"\"q\"", "fx"});
 }
 
+TEST_F(BadGeogrid, MoreModesThanFreedoms)
+{
+  expect_when_prepared({"Laboratory/Test=modes", "Laboratory/Modes=9999"}, "Laboratory/Modes",
+                       {"9999", "at most", "freedoms"});
+}
+
 TEST_F(BadGeogrid, LatticeFiles)
 {
   const std::string loaded = "Laboratory/Test=supports and loads";
