@@ -3,6 +3,7 @@
 // (Exudyn, 40 elements a leg). Fails when large rotations, gyroscopic terms, junction or load are
 // wrong.
 #include "fem/explicit_dynamics.h"
+#include "tests/elbow_cantilever.h"
 
 #include <gtest/gtest.h>
 
@@ -28,18 +29,9 @@ struct History {
   double energy_low = 1e300, energy_high = -1e300; // after the load is gone
 };
 
-// First leg along y from the clamp at the origin, second leg along x. Force along z on the elbow: 0
-// to 50 at t = 1, back to 0 at t = 2.
 History run(int elements)
 {
-  BeamSection section;
-  section.axial = section.shear_2 = section.shear_3 = 1e6;
-  section.torsion = section.bending_2 = section.bending_3 = 1e3;
-  section.line_density = 1;
-  section.rotary_1 = 20;
-  section.rotary_2 = section.rotary_3 = 10;
-  const Lattice lattice({straight_line({0, 0, 0}, {0, 10, 0}, elements, section),
-                         straight_line({0, 10, 0}, {10, 10, 0}, elements, section)});
+  const Lattice lattice = elbow_lattice(elements);
   DynamicsOptions options;
   options.rbf = false;
   options.spherical_inertia = false;
@@ -54,7 +46,7 @@ History run(int elements)
   for (int i = 0; i < steps; ++i) {
     const double t = i * h;
     dynamics.clear_loads();
-    if (t < 2) dynamics.add_nodal_load(elbow, {0, 0, 50 * (t < 1 ? t : 2 - t)}, {0, 0, 0});
+    dynamics.add_nodal_load(elbow, {0, 0, elbow_force(t)}, {0, 0, 0});
     dynamics.step(h);
     if (i % record != 0) continue;
     history.tip_up.look(dynamics.position(tip).z(), t, 1);

@@ -3,6 +3,7 @@
 // not pinned and rigid, or when zones have the wrong reach or stiffness.
 #include "fem/junction_zones.h"
 #include "fem/static_solver.h"
+#include "tests/beam_samples.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -17,13 +18,6 @@ using namespace interlock::fem;
 using Eigen::Vector3d;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-StaticOptions one_step()
-{
-  StaticOptions options;
-  options.load_steps = 1;
-  return options;
-}
 
 // A rib between two clamped cross ribs, load P in the middle. With beta = k L/(E I) the end moments
 // are P L/8 beta/(2 + beta) and

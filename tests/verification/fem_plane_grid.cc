@@ -3,6 +3,7 @@
 // otherwise than the sheet they stand for.
 #include "fem/static_solver.h"
 #include "fem/triaxial_layout.h"
+#include "tests/beam_samples.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -17,13 +18,6 @@ using namespace interlock::fem;
 using Eigen::Vector3d;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-StaticOptions one_step()
-{
-  StaticOptions options;
-  options.load_steps = 1;
-  return options;
-}
 
 // Without shear flexibility: Euler-Bernoulli.
 BeamSection shear_rigid(const RibSection& rib)

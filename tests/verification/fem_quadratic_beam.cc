@@ -2,6 +2,7 @@
 // results: 4 in the element length, on straight and on curved ribs. Fails when the interpolation,
 // its integration, the curve of the unloaded element or its place in the solver is wrong.
 #include "fem/static_solver.h"
+#include "tests/beam_samples.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -14,16 +15,6 @@ namespace
 {
 using namespace interlock::fem;
 using Eigen::Vector3d;
-
-// Bending stiffness 1 in both planes; stretch and shear stiffness as given.
-BeamSection slender(double stretch = 1e7)
-{
-  BeamSection section;
-  section.axial = section.shear_2 = section.shear_3 = stretch;
-  section.torsion = section.bending_2 = section.bending_3 = 1;
-  section.line_density = 1;
-  return section;
-}
 
 StaticOptions quadratic(int load_steps)
 {

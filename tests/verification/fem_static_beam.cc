@@ -2,6 +2,7 @@
 // length. Fails when stiffnesses, loads, supports, finite rotations or the joints of crossing ribs
 // are wrong.
 #include "fem/static_solver.h"
+#include "tests/beam_samples.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -13,17 +14,6 @@ namespace
 {
 using namespace interlock::fem;
 using Eigen::Vector3d;
-
-// Bending stiffness 1 in both planes; stretch and shear stiffness as given, by default so stiff
-// that on a unit length both stay below 1e-6.
-BeamSection slender(double stretch = 1e7)
-{
-  BeamSection section;
-  section.axial = section.shear_2 = section.shear_3 = stretch;
-  section.torsion = section.bending_2 = section.bending_3 = 1;
-  section.line_density = 1;
-  return section;
-}
 
 StaticOptions plain(int load_steps)
 {
