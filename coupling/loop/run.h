@@ -1,0 +1,211 @@
+// The only loop: steps a world through a plan of stages, and keeps its state.
+//
+// An experiment is a struct with
+//   static constexpr const char* name;                  // "pull-out"
+//   using Stage = std::variant<...>;                     // coupling/loop/stage.h
+//   World& world();
+//   std::vector<Stage> plan() const;
+//   std::vector<std::string> history_columns() const;    // of history.csv
+//   PhysicsLimits limits() const;                        // beyond them the run fails
+//   void finish(std::vector<Stage>& plan, RunRecords&);  // results into the summary
+// and a field list `exchange(archive, experiment)` of all that changes, the world included.
+// CONTRIBUTING.md shows a complete small one.
+#pragma once
+
+#include "coupling/loop/checkpoints.h"
+#include "coupling/loop/physics_limits.h"
+#include "coupling/loop/run_failure.h"
+#include "coupling/loop/run_records.h"
+#include "coupling/loop/stage.h"
+#include "coupling/loop/state_hash.h"
+#include "coupling/state/state_archive.h"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+namespace interlock::coupling
+{
+struct RunRequest {
+  std::filesystem::path folder;       // of the output, exists
+  std::vector<CaseEntry> entries;     // of the case, as used
+  bool resume = false;                // go on from the checkpoint in the folder, if there is one
+  double checkpoint_interval = 60;    // of wall-clock time; 0: at the ends of stages only [s]
+  std::string version;                // of the program
+  Monitor monitor;
+};
+
+// So many steps between two looks at the screen, and between two checks that physics is sane. The
+// second one costs about as much as ten steps of a packed box.
+constexpr int steps_between_progress = 100, steps_between_checks = 1000;
+
+template <class Experiment> class Run
+{
+public:
+  using Stage = typename Experiment::Stage;
+
+  Run(Experiment& experiment, const RunRequest& request)
+      : experiment_(experiment), request_(request),
+        records_(request.folder, experiment.history_columns(), request.monitor),
+        checkpoints_(request.folder, request.checkpoint_interval, request.version),
+        plan_(experiment.plan())
+  {
+  }
+
+  // All stages to the end; writes history, fields, checkpoints and summary.json. Throws InputError
+  // when a checkpoint does not fit, RunFailure when the physics or the disk fails, RunStopped when
+  // the monitor asks to stop: the state is kept then.
+  Summary run()
+  {
+    begin();
+    try {
+      while (stage_ < plan_.size()) advance();
+      finish();
+    } catch (const RunFailure&) {
+      keep_failed_state();
+      throw;
+    }
+    return records_.summary;
+  }
+
+private:
+  void begin()
+  {
+    if (request_.resume) {
+      if (const std::optional<StateTree> state = checkpoints_.read()) {
+        resume(*state);
+        return;
+      }
+      records_.message("There is no checkpoint in " + request_.folder.string() +
+                       " yet: the run starts from the beginning.");
+    }
+    records_.start();
+  }
+
+  void resume(const StateTree& state)
+  {
+    const std::string what = "The checkpoint " + checkpoints_.file().string();
+    StateReader archive(state);
+    std::string experiment;
+    std::vector<CaseEntry> entries;
+    archive("experiment", experiment);
+    archive("case", entries);
+    if (experiment != Experiment::name)
+      throw InputError(what + " belongs to an experiment \"" + experiment + "\", not to \"" +
+                       Experiment::name + "\".");
+    require_same_case(what, entries, request_.entries,
+                      {"Output/Checkpoint interval", "Output/Report"});
+    exchange_run(archive);
+    archive.expect_all_read();
+    records_.resume();
+    records_.message(fmt::format("Going on from {} at t = {:.6g} s, step {}, in stage \"{}\".",
+                                 checkpoints_.file().string(), world().clock.time(),
+                                 world().clock.step,
+                                 records_.in_stage() ? records_.stage_name() : "none"));
+  }
+
+  // One step of the present stage, or its end.
+  void advance()
+  {
+    Stage& stage = plan_[stage_];
+    if (!records_.in_stage())
+      records_.begin_stage(std::visit([](const auto& s) { return stage_name(s); }, stage),
+                           world().clock);
+    const StageStatus status = std::visit(
+        [&](auto& s) { return before_step(s, experiment_, records_); }, stage);
+    if (status.finished) {
+      end_stage(status.result);
+      return;
+    }
+    world().compute_forces();
+    std::visit([&](auto& s) { look(s, experiment_, records_); }, stage);
+    world().move();
+    std::visit([&](auto& s) { after_step(s, experiment_, records_); }, stage);
+
+    const std::int64_t step = world().clock.step;
+    if (step % steps_between_checks == 0) check_physics(world(), experiment_.limits());
+    if (step % steps_between_progress == 0) records_.progress(status.fraction, world().clock);
+    if (checkpoints_.due()) checkpoints_.write(state());
+    if (request_.monitor.stop_requested && request_.monitor.stop_requested()) stop();
+  }
+
+  void end_stage(const std::string& result)
+  {
+    check_physics(world(), experiment_.limits());
+    records_.end_stage(result, world().clock);
+    ++stage_;
+    const StateTree tree = state();
+    if (stage_ < plan_.size()) keep_start_state(tree);
+    checkpoints_.write(tree);
+  }
+
+  // Stages that other runs may start at leave the state before them behind.
+  void keep_start_state(const StateTree& tree) const
+  {
+    const std::string name = std::visit([](const auto& s) { return start_state(s); }, plan_[stage_]);
+    if (!name.empty()) checkpoints_.write_as(name, tree);
+  }
+
+  void stop()
+  {
+    checkpoints_.write(state());
+    throw RunStopped(checkpoints_.file().string());
+  }
+
+  void finish()
+  {
+    Summary& summary = records_.summary;
+    summary.version = request_.version;
+    summary.experiment = Experiment::name;
+    const dem::Clumps& clumps = world().engine.clumps();
+    summary.clumps = clumps.size();
+    summary.spheres = clumps.n_spheres();
+    summary.time_step = world().clock.dt;
+    summary.steps = world().clock.step;
+    summary.simulated_time = world().clock.time();
+    summary.wall_time = records_.wall_time();
+    summary.state_hash = state_hash(world());
+    experiment_.finish(plan_, records_);
+    write_summary(request_.folder / "summary.json", summary);
+  }
+
+  // For finding out why; nothing goes on from it.
+  void keep_failed_state()
+  {
+    try {
+      checkpoints_.write_as("state_at_failure.h5", state());
+      records_.add_frame(world());
+    } catch (const std::exception&) {
+      // The sentence of the failure itself matters more than that of a full disk.
+    }
+  }
+
+  StateTree state()
+  {
+    StateTree tree;
+    StateWriter archive(tree);
+    std::string experiment = Experiment::name;
+    archive("experiment", experiment);
+    archive("case", request_.entries);
+    exchange_run(archive);
+    return tree;
+  }
+
+  template <class Archive> void exchange_run(Archive& archive)
+  {
+    archive("next_stage", stage_);
+    archive("plan", plan_);
+    archive("state", experiment_);
+    archive("records", records_);
+  }
+
+  World& world() { return experiment_.world(); }
+
+  Experiment& experiment_;
+  RunRequest request_;
+  RunRecords records_;
+  Checkpoints checkpoints_;
+  std::vector<Stage> plan_;
+  std::size_t stage_ = 0; // index of the present stage in the plan
+};
+} // namespace interlock::coupling

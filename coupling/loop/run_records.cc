@@ -1,0 +1,84 @@
+#include "coupling/loop/run_records.h"
+
+#include <fmt/format.h>
+
+namespace interlock::coupling
+{
+namespace
+{
+double seconds_since(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+} // namespace
+
+RunRecords::RunRecords(std::filesystem::path folder, std::vector<std::string> history_columns,
+                       Monitor monitor)
+    : folder_(std::move(folder)), columns_(std::move(history_columns)),
+      monitor_(std::move(monitor)), frames_(folder_)
+{
+}
+
+void RunRecords::start()
+{
+  frames_.remove_all();
+  history_.emplace(folder_ / "history.csv", columns_);
+}
+
+void RunRecords::resume()
+{
+  history_.emplace(folder_ / "history.csv", columns_, rows_);
+  frames_.rewind();
+}
+
+void RunRecords::begin_stage(const std::string& name, const StepClock& clock)
+{
+  summary.stages.push_back({name, 0, 0, 0});
+  in_stage_ = true;
+  stage_begin_step_ = clock.step;
+  stage_begin_time_ = clock.time();
+  stage_wall_time_before_ = 0;
+  stage_clock_start_ = Clock::now();
+}
+
+void RunRecords::end_stage(const std::string& result, const StepClock& clock)
+{
+  StageSummary& stage = summary.stages.back();
+  stage.steps = clock.step - stage_begin_step_;
+  stage.simulated_time = clock.time() - stage_begin_time_;
+  stage.wall_time = stage_wall_time();
+  in_stage_ = false;
+  message(fmt::format("{}: {} ({:.1f} s)", stage.name, result, stage.wall_time));
+}
+
+void RunRecords::warn(const std::string& sentence)
+{
+  summary.warnings.push_back(sentence);
+  message("warning: " + sentence);
+}
+
+void RunRecords::message(const std::string& sentence) const
+{
+  if (monitor_.message) monitor_.message(sentence);
+}
+
+void RunRecords::progress(double fraction, const StepClock& clock) const
+{
+  if (monitor_.progress) monitor_.progress({stage_name(), fraction, clock.time(), clock.step});
+}
+
+void RunRecords::add_frame(const World& world)
+{
+  frames_.write(world.clock.time(), world.engine, world.ribs);
+}
+
+double RunRecords::wall_time() const
+{
+  return wall_time_before_ + seconds_since(clock_start_);
+}
+
+double RunRecords::stage_wall_time() const
+{
+  return in_stage_ ? stage_wall_time_before_ + seconds_since(stage_clock_start_) : 0;
+}
+} // namespace interlock::coupling

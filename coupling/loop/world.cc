@@ -1,0 +1,52 @@
+#include "coupling/loop/world.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace interlock::coupling
+{
+World::World(std::vector<dem::ClumpShape> shapes, const dem::ContactProperties& stone_on_stone,
+             const dem::ContactProperties& stone_on_rib, double gravity)
+    : engine(std::move(shapes), stone_on_stone, gravity), ribs(engine, stone_on_rib)
+{
+}
+
+void World::place_geogrid(std::unique_ptr<RibTransfer> geogrid)
+{
+  geogrid_ = std::move(geogrid);
+  ribs.place_geogrid(*geogrid_);
+}
+
+void World::attach_geogrid(std::unique_ptr<RibTransfer> geogrid)
+{
+  geogrid_ = std::move(geogrid);
+  ribs.attach(*geogrid_);
+}
+
+void World::move()
+{
+  if (!held) ribs.move(clock.dt, clamp_velocity);
+  ++clock.step;
+}
+
+EnergyLedger World::ledger() const
+{
+  EnergyLedger ledger = ribs.ledger(clock.dt);
+  ledger.inserted += inserted;
+  return ledger;
+}
+
+double World::weight() const
+{
+  const dem::ScalarField& mass = engine.clumps().mass;
+  return engine.gravity() * std::accumulate(mass.begin(), mass.end(), 0.);
+}
+
+double World::largest_overlap() const
+{
+  double largest = engine.largest_overlap();
+  for (const dem::RibContact& c : ribs.rib_contacts().contacts())
+    largest = std::max(largest, c.overlap);
+  return largest;
+}
+} // namespace interlock::coupling
