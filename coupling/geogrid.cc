@@ -1,5 +1,7 @@
 #include "coupling/geogrid.h"
 
+#include "fem/biaxial_layout.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +32,7 @@ fem::BiaxialLayout biaxial_layout(const GeogridParameters& p, const dem::Vector3
 
 Geogrid Geogrid::biaxial(const GeogridParameters& p, const dem::Vector3& front, double gravity)
 {
-  fem::Lattice lattice(biaxial_layout(p, front));
+  fem::Lattice lattice(rib_lines(biaxial_layout(p, front)));
   fem::DynamicsOptions options;
   options.gravity = {0, 0, -gravity};
   options.mass_damping = p.mass_damping;

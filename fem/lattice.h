@@ -1,7 +1,6 @@
 // A lattice of beams in compact arrays, free of deal.II: what dynamics, contacts and output read.
 #pragma once
 
-#include "fem/biaxial_layout.h"
 #include "fem/rib_line.h"
 #include "fem/rotational_spring.h"
 
@@ -40,10 +39,10 @@ public:
   // one direction only becomes.
   // Throws std::invalid_argument when there is no line, or one with fewer than two points, without
   // length between two of them, with too few profiles, a normal along its direction, a negative
-  // softening or a yield force that is not positive; when a stiffness of the junctions is negative; or when lines whose normals differ by more than 45
-  // degrees meet at a junction with rotational stiffness.
+  // softening or a yield force that is not positive; when a stiffness of the junctions is negative;
+  // or when lines whose normals differ by more than 45 degrees meet at a junction with rotational
+  // stiffness.
   explicit Lattice(std::vector<RibLine> lines, const JunctionStiffness& junctions = {});
-  explicit Lattice(const BiaxialLayout& layout) : Lattice(rib_lines(layout)) {}
 
   int n_nodes() const { return static_cast<int>(positions_.size()); }
   int n_elements() const { return static_cast<int>(elements_.size()); }

@@ -1,5 +1,6 @@
 #include "fem/product.h"
 
+#include "fem/biaxial_layout.h"
 #include "fem/triaxial_layout.h"
 #include "fem/uniaxial_layout.h"
 
