@@ -1,7 +1,8 @@
 // Filling the box: pouring stones from the hopper region above it, and measuring the surface.
 #pragma once
 
-#include "coupling/pull_out_parameters.h"
+#include "coupling/box_parameters.h"
+#include "coupling/filling_parameters.h"
 #include "dem/engine.h"
 #include "dem/random_stream.h"
 

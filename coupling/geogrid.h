@@ -1,7 +1,7 @@
 // The geogrid in the coupled loop: the beam lattice, its ribs as dem sees them, and its clamp.
 #pragma once
 
-#include "coupling/pull_out_parameters.h"
+#include "coupling/geogrid_parameters.h"
 #include "dem/rib_contacts.h"
 #include "fem/explicit_dynamics.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "coupling/contact_model.h"
-#include "coupling/pull_out_parameters.h"
+#include "coupling/stone_parameters.h"
 
 namespace interlock::coupling
 {

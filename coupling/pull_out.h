@@ -9,6 +9,7 @@
 #include "coupling/filling.h"
 #include "coupling/history.h"
 #include "coupling/monitor.h"
+#include "coupling/pull_out_parameters.h"
 #include "coupling/staggered_step.h"
 #include "coupling/summary.h"
 

@@ -3,7 +3,7 @@
 
 #include "coupling/parameter_problems.h"
 #include "coupling/parameter_table.h"
-#include "coupling/pull_out_parameters.h"
+#include "coupling/stone_parameters.h"
 
 namespace interlock::coupling
 {

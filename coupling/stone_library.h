@@ -2,7 +2,7 @@
 #pragma once
 
 #include "coupling/monitor.h"
-#include "coupling/pull_out_parameters.h"
+#include "coupling/stone_parameters.h"
 #include "dem/clump_shape.h"
 
 #include <vector>
