@@ -1,8 +1,9 @@
 // Equilibrium paths by the arc-length method.
 #pragma once
 
+#include "fem/arc_length_options.h"
 #include "fem/lattice_system.h"
-#include "fem/static_solver.h"
+#include "fem/static_options.h"
 
 #include <optional>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fem/lattice_system.h"
-#include "fem/static_solver.h"
+#include "fem/static_options.h"
 
 #include <vector>
 

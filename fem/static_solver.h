@@ -5,30 +5,16 @@
 #include "fem/arc_length_options.h"
 #include "fem/lattice.h"
 #include "fem/section_forces.h"
+#include "fem/static_options.h"
 #include "fem/static_state.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 
-#include <mpi.h>
-
 #include <vector>
 
 namespace interlock::fem
 {
-struct StaticOptions {
-  bool rbf = true; // residual bending flexibility in the shear stiffness; not for order 2
-  int order = 1;   // 1: two-node elements; 2: quadratic ones, two consecutive elements of a line
-                   // each (elastic ribs with an even number of segments)
-  int load_steps = 10;     // loads and prescribed motion grow in equal steps
-  int max_iterations = 30; // Newton iterations in one load step; one that needs more is halved
-  double step_tolerance = 1e-10; // a load step ends when the Newton step [m, rad] is shorter, or
-                                 // when rounding is all that is left
-  double reuse = 0; // a factorised tangent is kept while each Newton step is shorter than this
-                    // share of the one before (some 0.1); 0: a new one in every iteration
-  MPI_Comm communicator = MPI_COMM_WORLD; // processes that share the work
-};
-
 // Loads and supports are set first, then `solve` or `trace_path` brings them on in steps. Rotations
 // are unit quaternions; the unknowns of a load step are displacements and the rotation vectors on
 // top of the orientations of the last step, so that total rotations may be of any size. World frame
