@@ -9,6 +9,7 @@
 // (coupling/staggered_step.h). How it works: docs/theory/engine.md.
 #pragma once
 
+#include "dem/contact_views.h"
 #include "dem/force_control.h"
 #include "dem/mesh_contacts.h"
 #include "dem/neighbour_lists.h"
@@ -39,29 +40,6 @@ struct StableStep {
   int contacts = 0;          // of that clump
   double stiffness = 0;      // mean of its contacts [N/m]
   double rotation_share = 0; // of its mobility at the contacts, the rest is translation [-]
-};
-
-// A contact between member `a` of clump i and member `b` of clump j > i, as it was at the last
-// compute_forces; world frame.
-struct SphereContact {
-  int i = 0, j = 0, a = 0, b = 0;
-  bool touching = false;
-  Vector3 force = Vector3::Zero(); // on clump i, zero when not touching [N]
-  Vector3 point = Vector3::Zero(); // mid-overlap, at the present poses [m]
-  double overlap = 0;              // zero when not touching [m]
-  ContactHistory history;          // of i against j
-  ContactShare share;
-};
-
-// The same of a clump and a wall.
-struct WallContact {
-  int i = 0, wall = 0, a = 0;
-  bool touching = false;
-  Vector3 force = Vector3::Zero();
-  Vector3 point = Vector3::Zero();
-  double overlap = 0;
-  ContactHistory history; // of the clump against the wall
-  ContactShare share;
 };
 
 // Time spent in the parts of the steps since the last reset [s].

@@ -1,6 +1,5 @@
 #include "dem/force_control.h"
 
-#include "dem/engine.h"
 #include "dem/input_error.h"
 
 #include <algorithm>
@@ -27,8 +26,7 @@ double response_of(const ContactProperties& pair, double mass, double time_step)
 }
 
 // A wall of either kind.
-template <class AnyWall>
-void set_velocity(ForceControl& control, double response, AnyWall& wall)
+template <class AnyWall> void set_velocity(ForceControl& control, double response, AnyWall& wall)
 {
   constexpr double learning = 0.01;
   const double pressing = -control.axis.dot(wall.force); // wall.force is that on the wall

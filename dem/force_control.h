@@ -6,13 +6,12 @@
 // the stones along it, speeds when the wall moves along it.
 #pragma once
 
+#include "dem/contact_views.h"
 #include "dem/mesh_contacts.h"
 #include "dem/wall.h"
 
 namespace interlock::dem
 {
-struct WallContact; // engine.h
-
 struct ForceControl {
   Vector3 axis = Vector3::UnitZ(); // unit, world
   double force = 0;                // to be kept, 0 or more: walls do not pull [N]
@@ -46,8 +45,9 @@ double contact_response(const std::vector<MeshContact>& contacts, int wall,
 
 // Sets the wall's velocity along the axis from its present force; across the axis it is left as it
 // is. Learns the followed speed, at a hundredth of gain (F* - F)/R a step, while that is not
-// clamped; forgets it when nothing is in touch. To be called each step after the contacts were evaluated and before the wall moves, so that
-// the contacts always see the velocity of the last move.
+// clamped; forgets it when nothing is in touch. To be called each step after the contacts were
+// evaluated and before the wall moves, so that the contacts always see the velocity of the last
+// move.
 void control_force(ForceControl& control, double response, Wall& wall);
 void control_force(ForceControl& control, double response, MeshWall& wall);
 } // namespace interlock::dem

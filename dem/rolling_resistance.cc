@@ -1,7 +1,5 @@
 #include "dem/rolling_resistance.h"
 
-#include "dem/engine.h"
-
 #include <algorithm>
 #include <cmath>
 

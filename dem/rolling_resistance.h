@@ -6,6 +6,7 @@
 // the roughness below the size of its spheres is what you want to add.
 #pragma once
 
+#include "dem/contact_views.h"
 #include "dem/mesh_contacts.h"
 #include "dem/wall.h"
 
@@ -15,9 +16,6 @@
 
 namespace interlock::dem
 {
-struct SphereContact; // engine.h
-struct WallContact;
-
 // Of one pair of materials.
 struct RollingProperties {
   // Coefficient mu_r: the moment is at most mu_r R_r F_n, R_r = r_i r_j/(r_i + r_j), and r_i
