@@ -1,7 +1,7 @@
 // Supports and loads as a user writes them. Fails when a freedom, a value or a set is mixed up, a
 // load is not shared, or a slip is accepted or not named.
-#include "coupling/node_conditions.h"
-#include "fem/biaxial_layout.h"
+#include "coupling/laboratory/node_conditions.h"
+#include "fem/layouts/biaxial_layout.h"
 #include "tests/refusal.h"
 
 #include <deal.II/base/mpi.h>

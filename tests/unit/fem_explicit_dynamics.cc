@@ -1,7 +1,7 @@
 // The explicit integrator against conservation laws. Fails when momentum, power or energy leaks,
 // when the clamp's reaction is not what the motion needs, or when a restart changes a digit.
-#include "fem/biaxial_layout.h"
-#include "fem/explicit_dynamics.h"
+#include "fem/explicit/explicit_dynamics.h"
+#include "fem/layouts/biaxial_layout.h"
 
 #include <gtest/gtest.h>
 

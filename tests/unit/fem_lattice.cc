@@ -1,8 +1,8 @@
 // A lattice's counts, frames and ties against counting by hand. Fails when junctions are not
 // joined, when freedoms are lost or doubled, or when frames do not follow the ribs.
-#include "fem/biaxial_layout.h"
-#include "fem/lattice.h"
-#include "fem/lattice_mesh.h"
+#include "fem/lattice/lattice.h"
+#include "fem/lattice/lattice_mesh.h"
+#include "fem/layouts/biaxial_layout.h"
 
 #include <gtest/gtest.h>
 

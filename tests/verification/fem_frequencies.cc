@@ -3,10 +3,10 @@
 // eigenvalue solver; elsewhere the frequencies have to converge to those of the continuous beam
 // with order two, the error of lumped masses. Fails when tangent, inertia, supports or the choice
 // of modes are wrong, or when a mode is missed or spurious.
-#include "fem/biaxial_layout.h"
-#include "fem/lumped_inertia.h"
-#include "fem/modes.h"
-#include "fem/static_solver.h"
+#include "fem/implicit/modes.h"
+#include "fem/lattice/lumped_inertia.h"
+#include "fem/layouts/biaxial_layout.h"
+#include "fem/statics/static_solver.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,9 +1,9 @@
 // Modes and implicit steps of a geogrid on all processes against the same on one: frequencies and
 // motion must agree to rounding. Runs on one process and, by mpirun, on several. Fails when
 // inertia, loads or supports are assembled twice or not at all where parts of the mesh meet.
-#include "fem/biaxial_layout.h"
-#include "fem/implicit_dynamics.h"
-#include "fem/modes.h"
+#include "fem/implicit/implicit_dynamics.h"
+#include "fem/implicit/modes.h"
+#include "fem/layouts/biaxial_layout.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,11 +1,11 @@
 // The static solver on all processes against itself on one. CTest runs it on 1, 2 and 4 processes.
 // Fails when parts lose elements, freedoms or junctions between them, or when an iterative solver
 // chosen by options does not work.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 
-#include "fem/biaxial_layout.h"
-#include "fem/lattice_mesh.h"
-#include "fem/lattice_system.h"
+#include "fem/lattice/lattice_mesh.h"
+#include "fem/layouts/biaxial_layout.h"
+#include "fem/statics/lattice_system.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -5,10 +5,10 @@
 // GCC 12 warns in its own header about undefined operands of vector intrinsics (GCC bug 105593).
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
-#include "fem/beam_constants.h"
-#include "fem/beam_tangent.h"
-#include "fem/biaxial_layout.h"
-#include "fem/explicit_dynamics.h"
+#include "fem/beam/beam_tangent.h"
+#include "fem/explicit/explicit_dynamics.h"
+#include "fem/lattice/beam_constants.h"
+#include "fem/layouts/biaxial_layout.h"
 
 #include <Eigen/Eigenvalues>
 
