@@ -6,7 +6,7 @@
 #include "apps/interruption.h"
 #include "apps/octahedron_command.h"
 #include "dem/input_error.h"
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 #include "dem/scans/cloud_cells.h"
 
 #include <cstdio>

@@ -1,14 +1,14 @@
 #include "apps/experiments.h"
 
 #include "apps/case_templates.h"
-#include "coupling/heap.h"
-#include "coupling/heap_declarations.h"
-#include "coupling/laboratory.h"
-#include "coupling/laboratory_declarations.h"
-#include "coupling/packing.h"
-#include "coupling/packing_declarations.h"
-#include "coupling/pull_out.h"
-#include "coupling/pull_out_declarations.h"
+#include "coupling/heap/heap.h"
+#include "coupling/heap/heap_declarations.h"
+#include "coupling/laboratory/laboratory.h"
+#include "coupling/laboratory/laboratory_declarations.h"
+#include "coupling/packing/packing.h"
+#include "coupling/packing/packing_declarations.h"
+#include "coupling/pull_out/pull_out.h"
+#include "coupling/pull_out/pull_out_declarations.h"
 
 #include <algorithm>
 #include <memory>

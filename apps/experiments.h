@@ -2,14 +2,14 @@
 // is its parameters in the variant and one row in experiments.cc.
 #pragma once
 
-#include "coupling/check_parameters.h"
-#include "coupling/heap_parameters.h"
-#include "coupling/laboratory_parameters.h"
-#include "coupling/monitor.h"
-#include "coupling/packing_parameters.h"
-#include "coupling/parameter_table.h"
-#include "coupling/pull_out_parameters.h"
-#include "coupling/summary.h"
+#include "coupling/heap/heap_parameters.h"
+#include "coupling/laboratory/laboratory_parameters.h"
+#include "coupling/output/monitor.h"
+#include "coupling/output/summary.h"
+#include "coupling/packing/packing_parameters.h"
+#include "coupling/parameters/parameter_table.h"
+#include "coupling/pull_out/check_parameters.h"
+#include "coupling/pull_out/pull_out_parameters.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
 """Pictures from the fields written for ParaView: the box from the side and the contact force network.
 
-Reads the series of coupling/field_output.h with the HDF5 files that they name:
+Reads the series of coupling/output/field_output.h with the HDF5 files that they name:
     clumps.xdmf    points: member spheres; fields `radius` [m], `clump` (number of the stone)
                    and `displacement` [m] of the stone since the first frame
     geogrid.xdmf   lines: beam elements

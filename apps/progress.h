@@ -2,7 +2,7 @@
 // the same plain lines in run.log.
 #pragma once
 
-#include "coupling/monitor.h"
+#include "coupling/output/monitor.h"
 
 #include <chrono>
 #include <iosfwd>

@@ -5,8 +5,8 @@
 #include "apps/parameter_file.h"
 #include "apps/progress.h"
 #include "apps/report_command.h"
-#include "coupling/atomic_file.h"
-#include "coupling/summary.h"
+#include "coupling/output/atomic_file.h"
+#include "coupling/output/summary.h"
 
 #include <fstream>
 #include <iostream>

@@ -1,7 +1,7 @@
 // Why a value cannot be taken, in words.
 #pragma once
 
-#include "coupling/parameter_table.h"
+#include "coupling/parameters/parameter_table.h"
 
 #include <string>
 

@@ -52,7 +52,7 @@ self_test()
   tree="$(mktemp -d)"
   trap 'rm -rf "$tree"' RETURN
   mkdir "$tree"/{dem,fem,coupling,apps}
-  printf '#include "dem/clumps.h"\n#include "fem/lattice.h"\n// std::cout << is not for this module\nstd::snprintf(a, 2, "b"); solver.exit(1);\n' >"$tree/coupling/loop.cc"
+  printf '#include "dem/bodies/clumps.h"\n#include "fem/lattice/lattice.h"\n// std::cout << is not for this module\nstd::snprintf(a, 2, "b"); solver.exit(1);\n' >"$tree/coupling/loop.cc"
   printf '#include "coupling/loop.h"\nstd::cout << 1; std::exit(2);\n' >"$tree/apps/main.cc"
   check_tree "$tree" || { echo "a clean tree was refused"; missed=1; }
   while IFS='|' read -r file line; do
@@ -65,10 +65,10 @@ self_test()
   done <<'OFFENDERS'
 dem/a.h|#include <deal.II/base/point.h>
 dem/a.h|#include <petscvec.h>
-dem/a.cc|#include "fem/lattice.h"
+dem/a.cc|#include "fem/lattice/lattice.h"
 dem/a.cc|# include "coupling/loop.h"
 dem/a.cc|#include "apps/report.h"
-fem/a.cc|#include "dem/clumps.h"
+fem/a.cc|#include "dem/bodies/clumps.h"
 fem/a.h|#include "coupling/loop.h"
 coupling/a.cc|#include "apps/report.h"
 coupling/a.cc|  std::cout << force;

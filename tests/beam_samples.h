@@ -1,7 +1,7 @@
 // Beams and options that several tests of statics use.
 #pragma once
 
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 
 // Bending stiffness 1 in both planes; stretch and shear stiffness as given, by default so stiff
 // that on a unit length both stay below 1e-6.

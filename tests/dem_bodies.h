@@ -1,7 +1,7 @@
 // Simple bodies, walls and impacts for the tests of contacts.
 #pragma once
 
-#include "dem/engine.h"
+#include "dem/engine/engine.h"
 
 #include <gtest/gtest.h>
 #include <map>

@@ -1,7 +1,7 @@
 // Closed meshes of solids with known closed forms, for the tests of the clump shapes.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 #include <algorithm>
 #include <map>

@@ -2,8 +2,8 @@
 // ledger of both.
 #pragma once
 
-#include "dem/engine.h"
-#include "dem/mesh_contacts.h"
+#include "dem/engine/engine.h"
+#include "dem/walls/mesh_contacts.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // The right-angle cantilever of Simo & Vu-Quoc, CMAME 66 (1988) 125-161, in the units of the paper.
 #pragma once
 
-#include "fem/lattice.h"
+#include "fem/lattice/lattice.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // The tangent of a small lattice as a dense matrix, for tests that look at its eigenvalues.
 #pragma once
 
-#include "fem/lattice_system.h"
+#include "fem/statics/lattice_system.h"
 
 #include <Eigen/Dense>
 

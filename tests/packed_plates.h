@@ -2,7 +2,7 @@
 // a millimetre between them. They come to rest within milliseconds.
 #pragma once
 
-#include "coupling/packed_state.h"
+#include "coupling/packing/packed_state.h"
 
 // Plates lie flat: centres 8 mm from the axis along x and y, radius 10 mm.
 inline interlock::coupling::PackedState packed_plates(int n)

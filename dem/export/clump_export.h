@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dem/atomic_files.h"
-#include "dem/clump_shape.h"
+#include "dem/bodies/clump_shape.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // Words and numbers that the exported clump files share.
 #pragma once
 
-#include "dem/clump_shape.h"
+#include "dem/bodies/clump_shape.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "dem/export/member_volumes.h"
 
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // its members.
 #pragma once
 
-#include "dem/clump_shape.h"
+#include "dem/bodies/clump_shape.h"
 
 #include <vector>
 

@@ -2,10 +2,10 @@
 // result (section 3 of the paper, or exactly from the surface). Method: docs/theory/clumps.md.
 #pragma once
 
-#include "dem/clump_shape.h"
+#include "dem/bodies/clump_shape.h"
 #include "dem/generator/clump_report.h"
+#include "dem/meshes/triangle_mesh.h"
 #include "dem/scans/point_cloud.h"
-#include "dem/triangle_mesh.h"
 
 #include <cstdint>
 

@@ -1,8 +1,8 @@
 // How well a set of spheres stands for the stone that it was made from.
 #pragma once
 
-#include "dem/clump_shape.h"
-#include "dem/mass_properties.h"
+#include "dem/bodies/clump_shape.h"
+#include "dem/meshes/mass_properties.h"
 
 #include <array>
 

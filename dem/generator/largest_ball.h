@@ -2,7 +2,7 @@
 // paper has it, or by its facets.
 #pragma once
 
-#include "dem/clump_shape.h"
+#include "dem/bodies/clump_shape.h"
 #include "dem/generator/surface_tree.h"
 
 #include <memory>

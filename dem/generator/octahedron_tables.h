@@ -1,7 +1,7 @@
 // Tables 1 to 3 of Ferellec and McDowell (2010): number of spheres in a regular octahedron.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 #include <cstdint>
 

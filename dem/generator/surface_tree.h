@@ -1,7 +1,7 @@
 // The facets of a surface in a search tree, for nearest points.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // Volume of the union of spheres, one sphere after the other.
 #pragma once
 
-#include "dem/clump_shape.h"
+#include "dem/bodies/clump_shape.h"
 
 #include <array>
 #include <utility>

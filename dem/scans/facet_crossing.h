@@ -1,7 +1,7 @@
 // Whether two facets of a surface cut through each other.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 #include <optional>
 

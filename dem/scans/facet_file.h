@@ -1,8 +1,8 @@
 // The facets of a surface file, whichever of the known formats it has.
 #pragma once
 
+#include "dem/meshes/triangle_mesh.h"
 #include "dem/scans/input_file.h"
-#include "dem/triangle_mesh.h"
 
 namespace interlock::dem
 {

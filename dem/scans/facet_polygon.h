@@ -1,7 +1,7 @@
 // Facets with more than three corners, cut into triangles.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 namespace interlock::dem
 {

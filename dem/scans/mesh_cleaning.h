@@ -2,7 +2,7 @@
 // facets that close nothing.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 namespace interlock::dem
 {

@@ -1,6 +1,6 @@
 #include "dem/scans/mesh_diagnosis.h"
 
-#include "dem/scans/connected_parts.h"
+#include "dem/meshes/connected_parts.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,8 +1,8 @@
 // What is wrong with a surface that should enclose one stone.
 #pragma once
 
+#include "dem/meshes/triangle_mesh.h"
 #include "dem/scans/self_intersection.h"
-#include "dem/triangle_mesh.h"
 
 namespace interlock::dem
 {

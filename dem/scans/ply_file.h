@@ -1,8 +1,8 @@
 // Polygon files (PLY), text and binary of either byte order: meshes, and clouds with normals.
 #pragma once
 
+#include "dem/meshes/triangle_mesh.h"
 #include "dem/scans/input_file.h"
-#include "dem/triangle_mesh.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 // Scans without facets: points on the surface of a stone with their normals.
 #pragma once
 
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 #include "dem/scans/stone_file.h"
 
 namespace interlock::dem

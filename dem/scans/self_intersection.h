@@ -1,7 +1,7 @@
 // Facets of one surface that cut through each other.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 namespace interlock::dem
 {

@@ -1,8 +1,8 @@
 // Stereolithography files (STL), binary and text.
 #pragma once
 
+#include "dem/meshes/triangle_mesh.h"
 #include "dem/scans/input_file.h"
-#include "dem/triangle_mesh.h"
 
 namespace interlock::dem
 {

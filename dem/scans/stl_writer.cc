@@ -1,7 +1,7 @@
 // Writing stones: write_stl of triangle_mesh.h.
 #include "dem/atomic_files.h"
 #include "dem/input_error.h"
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 #include <cstdint>
 

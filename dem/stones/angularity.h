@@ -1,7 +1,7 @@
 // Angularity of a stone as image analysers of aggregates measure it.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 namespace interlock::dem
 {

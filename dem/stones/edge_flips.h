@@ -1,7 +1,7 @@
 // Turns the edges of a mesh along the creases of the surface that it approximates.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // Nearly even triangulations of the sphere, and their refinement.
 #pragma once
 
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 
 namespace interlock::dem
 {

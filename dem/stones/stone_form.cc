@@ -1,6 +1,6 @@
 #include "dem/stones/stone_form.h"
 
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 #include "dem/stones/angularity.h"
 #include "dem/stones/convex_hull.h"
 

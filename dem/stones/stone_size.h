@@ -1,8 +1,8 @@
 // How large a stone is and which form it has, as engineers measure it.
 #pragma once
 
-#include "dem/mass_properties.h"
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/mass_properties.h"
+#include "dem/meshes/triangle_mesh.h"
 
 namespace interlock::dem
 {

@@ -1,7 +1,7 @@
 #include "dem/stones/synthetic_stone.h"
 
 #include "dem/input_error.h"
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 #include "dem/stones/ballast_sizes.h"
 #include "dem/stones/edge_flips.h"
 #include "dem/stones/fragment.h"

@@ -1,8 +1,8 @@
 // Synthetic angular ballast: closed, outward meshes that stand in for scans when there are none.
 #pragma once
 
+#include "dem/meshes/triangle_mesh.h"
 #include "dem/stones/stone_style.h"
-#include "dem/triangle_mesh.h"
 
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 // what is allowed, to fail. Also that every product of the library can be read.
 #include "apps/case_templates.h"
 #include "apps/parameter_file.h"
-#include "coupling/laboratory.h"
+#include "coupling/laboratory/laboratory.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 

@@ -1,8 +1,8 @@
 // States of packed boxes that cannot be used. Each test states one fault and the words that must be
 // in the one sentence that answers it: file, entry, value and what is allowed. It takes a fault
 // that is accepted, or a sentence that does not say where it is, to fail.
-#include "coupling/compressed_file.h"
-#include "coupling/packed_state.h"
+#include "coupling/output/compressed_file.h"
+#include "coupling/packing/packed_state.h"
 #include "tests/packed_plates.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"

@@ -1,6 +1,6 @@
 // Every fault of a clump file is an InputError that names the file, the entry and its value. Fails
 // when a fault passes or an exception of the JSON library escapes.
-#include "dem/clump_shape.h"
+#include "dem/bodies/clump_shape.h"
 #include "dem/input_error.h"
 
 #include <gtest/gtest.h>

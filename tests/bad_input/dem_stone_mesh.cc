@@ -2,7 +2,7 @@
 // wrong. Fails when a fault passes, when another exception escapes, or when the sentence lacks the
 // file or its facts.
 #include "dem/input_error.h"
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/triangle_mesh.h"
 #include "tests/dem_solids.h"
 #include "tests/refusal.h"
 

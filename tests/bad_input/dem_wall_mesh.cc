@@ -1,6 +1,6 @@
 // What is wrong with a wall of triangles is one InputError, one sentence that names the file and
 // the fact. Fails when a fault passes, another exception escapes, or the sentence lacks them.
-#include "dem/mesh_contacts.h"
+#include "dem/walls/mesh_contacts.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 

@@ -1,11 +1,11 @@
 // What is wrong with a lattice or its file is one sentence that says what and where. Fails when a
 // fault passes, another exception escapes, or the sentence lacks the facts.
-#include "fem/biaxial_layout.h"
-#include "fem/gmsh_lattice.h"
-#include "fem/junction_zones.h"
-#include "fem/lattice_checks.h"
-#include "fem/triaxial_layout.h"
-#include "fem/uniaxial_layout.h"
+#include "fem/gmsh/gmsh_lattice.h"
+#include "fem/lattice/lattice_checks.h"
+#include "fem/layouts/biaxial_layout.h"
+#include "fem/layouts/junction_zones.h"
+#include "fem/layouts/triaxial_layout.h"
+#include "fem/layouts/uniaxial_layout.h"
 #include "tests/gmsh_files.h"
 #include "tests/temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // What the static solver says when there is no equilibrium: one sentence, never a number.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,8 +1,8 @@
 // Time of the hot loops, apart: one step of the beams of the pull-out lattice, one step of settled
 // stones. Run with: cmake --build build/release --target benchmarks &&
 // build/release/tests/benchmark_steps
-#include "coupling/geogrid.h"
-#include "dem/engine.h"
+#include "coupling/loop/geogrid.h"
+#include "dem/engine/engine.h"
 #include "dem/random_stream.h"
 
 #include <benchmark/benchmark.h>

@@ -2,7 +2,7 @@
 // run obeys (ledger, mass, reproducible digits, no delayed release, at rest), not numbers
 // that the program printed before. Fails when a stage breaks, a digit depends on the run, or energy
 // is lost.
-#include "coupling/heap.h"
+#include "coupling/heap/heap.h"
 #include "tests/temporary_folder.h"
 
 #include <fstream>

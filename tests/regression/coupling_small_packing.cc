@@ -1,7 +1,7 @@
 // A few stones in a box, run as a packed state. It takes a floor that does not carry their weight,
 // a contact that the neighbour lists miss, a ledger that does not close, forces that depend on the
 // number of spheres inside the same surface, or stones held still that move, to fail.
-#include "coupling/packing.h"
+#include "coupling/packing/packing.h"
 #include "dem/input_error.h"
 #include "tests/packed_plates.h"
 #include "tests/temporary_folder.h"

@@ -2,7 +2,7 @@
 // Checked are laws that every run obeys (ledger, reproducible digits, mass, overlap, sign of the
 // force), not numbers that the program printed before. Fails when a stage breaks, a digit depends
 // on the run, or energy is lost.
-#include "coupling/pull_out.h"
+#include "coupling/pull_out/pull_out.h"
 
 #include <gtest/gtest.h>
 

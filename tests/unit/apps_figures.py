@@ -25,7 +25,7 @@ def write_history(folder, rows):
 
 
 def write_series(folder, name, frames):
-    """A series as coupling/field_output.h describes it; frames: dictionaries data set -> array."""
+    """A series as coupling/output/field_output.h describes it; frames: dictionaries data set -> array."""
     grids = ""
     with h5py.File(os.path.join(folder, name + ".h5"), "w") as file:
         for i, frame in enumerate(frames):

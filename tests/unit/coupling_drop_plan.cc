@@ -3,8 +3,8 @@
 // each batch, places outside the disc, stones that touch while they fall, or a stone that could
 // have been let go sooner, a fall
 // that depends on the step, to fail.
-#include "coupling/drop_plan.h"
-#include "dem/engine.h"
+#include "coupling/heap/drop_plan.h"
+#include "dem/engine/engine.h"
 
 #include <gtest/gtest.h>
 

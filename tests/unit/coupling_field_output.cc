@@ -1,7 +1,7 @@
 // ParaView's time series. It takes a wrong value, shape or unit in the HDF5 file, an XDMF file that
 // points at a data set that is not there or has another size, or a frame that is listed before it
 // is complete, to fail. The XDMF text is read as XML, the numbers with deal.II's HDF5 classes.
-#include "coupling/field_output.h"
+#include "coupling/output/field_output.h"
 #include "tests/temporary_folder.h"
 
 #include <deal.II/base/hdf5.h>

@@ -1,6 +1,6 @@
 // From contact wrenches to nodal loads and back. Fails when force, moment or power is lost between
 // the ribs of dem and the elements of fem.
-#include "coupling/geogrid.h"
+#include "coupling/loop/geogrid.h"
 
 #include "dem/random_stream.h"
 

@@ -1,7 +1,7 @@
 // The measures of a heap against heaps whose answers are known: a cone, two cones' flanks, a ring,
 // a disc. It takes a wrong centroid, moment, share, quantile, azimuth, fitting range or slope to
 // fail.
-#include "coupling/heap_measures.h"
+#include "coupling/heap/heap_measures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Supports and loads as a user writes them. Fails when a freedom, a value or a set is mixed up, a
 // load is not shared, or a slip is accepted or not named.
-#include "coupling/node_conditions.h"
+#include "coupling/laboratory/node_conditions.h"
+#include "fem/layouts/biaxial_layout.h"
 #include "tests/refusal.h"
 
 #include <deal.II/base/mpi.h>
@@ -49,7 +50,7 @@ TEST(NodeConditions, LoadsAreSharedAndReactionsBalance)
   layout.pitch_along = layout.pitch_across = 0.05;
   layout.elements_per_rib = 2;
   layout.section_along = layout.section_across = {0.005, 0.0025, 2.4e9, 0.3, 910};
-  const fem::Lattice lattice(layout);
+  const fem::Lattice lattice(rib_lines(layout));
   const NodeSets sets = node_sets_of_piece(lattice);
   EXPECT_EQ(sets.at("front").size(), 3u);
   EXPECT_EQ(sets.at("rim").size(), 12u);

@@ -1,8 +1,8 @@
 // States of packed boxes in files. It takes a digit that is lost on the way to a file and back,
 // compressed or not, a benchmark state that is not read whole, or a squeeze that changes stones, to
 // fail.
-#include "coupling/compressed_file.h"
-#include "coupling/packed_state.h"
+#include "coupling/output/compressed_file.h"
+#include "coupling/packing/packed_state.h"
 #include "tests/packed_plates.h"
 #include "tests/temporary_folder.h"
 

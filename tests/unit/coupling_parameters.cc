@@ -1,8 +1,8 @@
 // The entries of a pull-out file. It takes a member that no entry fills, two entries that fill the
 // same member, a range that lets an impossible value pass, a text without its unit, or a
 // contradiction between entries that nobody notices, to fail.
-#include "coupling/check_parameters.h"
-#include "coupling/pull_out_declarations.h"
+#include "coupling/pull_out/check_parameters.h"
+#include "coupling/pull_out/pull_out_declarations.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "dem/export/clump_export.h"
 #include "dem/export/member_volumes.h"
 #include "dem/input_error.h"
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 #include "tests/temporary_folder.h"
 
 #include <sstream>

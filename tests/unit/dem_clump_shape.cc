@@ -1,6 +1,6 @@
 // A clump shape survives its file to the last digit. Fails when a number is rounded, when spheres
 // change order, or when a temporary file stays behind.
-#include "dem/clump_shape.h"
+#include "dem/bodies/clump_shape.h"
 
 #include <gtest/gtest.h>
 

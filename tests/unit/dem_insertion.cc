@@ -1,8 +1,8 @@
 // Inserting clumps without overlap. It takes a place that is called free although member spheres
 // overlap, or taken although none does (random clumps against all pairs of spheres, in poses where
 // the bounding balls overlap), a wall or a clearance that is not seen, to fail.
-#include "dem/engine.h"
-#include "dem/insertion.h"
+#include "dem/engine/engine.h"
+#include "dem/engine/insertion.h"
 #include "dem/random_stream.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Volume, centre, inertia and principal frame of solids with closed forms. Fails when a weight of
 // the signed tetrahedra, the shift to the centre, the sign of a product of inertia or the order and
 // handedness of the principal axes is wrong.
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 #include "tests/dem_solids.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // sum is off by more than rounding where positive shares exist, when a share is not positive, or
 // when clumps of few spheres get no volume.
 #include "dem/export/member_volumes.h"
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Walls of triangles by themselves: nearest points, the search tree, motion, work and files. Fails
 // when a nearest point is not nearest, the tree drops a triangle, or a file's unit, open rim or
 // merged corners are lost.
-#include "dem/mesh_wall.h"
+#include "dem/walls/mesh_wall.h"
 #include "tests/dem_wall_bench.h"
 #include "tests/temporary_folder.h"
 

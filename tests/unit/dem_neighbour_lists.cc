@@ -1,6 +1,6 @@
 // The nested lists against brute force, on random clumps that fly through each other's reach. Fails
 // when a skin, a displacement bound or the slab filter loses a pair, or when lists change a digit.
-#include "dem/engine.h"
+#include "dem/engine/engine.h"
 #include "dem/random_stream.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Small spheres inside the surface of a clump. It takes a new sphere that sticks out of the union
 // of the old ones, one that does not touch its surface, a changed mass, or a radius outside its
 // range, to fail.
-#include "dem/refined_shape.h"
+#include "dem/bodies/refined_shape.h"
 
 #include "dem/input_error.h"
 

@@ -1,7 +1,7 @@
 // Ribs: signed distance of a rounded rectangle, one contact a line, hand-over at junctions. Fails
 // when the nearest point, the choice of the rod or the merging of two lines at their junction is
 // wrong.
-#include "dem/rib_contacts.h"
+#include "dem/ribs/rib_contacts.h"
 
 #include "dem/random_stream.h"
 

@@ -4,7 +4,7 @@
 #include "dem/stones/stone_form.h"
 
 #include "dem/input_error.h"
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 #include "dem/stones/angularity.h"
 #include "dem/stones/convex_hull.h"
 #include "dem/stones/geodesic_sphere.h"

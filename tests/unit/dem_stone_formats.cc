@@ -1,6 +1,6 @@
 // The same body in each format of a stone file. Fails when a variant that its format allows is not
 // read, or when the counts of what was mended are wrong.
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 #include "dem/scans/stone_file.h"
 #include "tests/temporary_folder.h"
 

@@ -5,7 +5,7 @@
 #include "dem/stones/synthetic_stone.h"
 
 #include "dem/input_error.h"
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 #include "dem/stones/ballast_sizes.h"
 #include "dem/stones/stone_form.h"
 

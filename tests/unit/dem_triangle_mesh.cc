@@ -1,8 +1,8 @@
 // Diagnosis, normals and files of triangle meshes. Fails when an open, flipped or branching edge
 // goes unseen, when node normals depend on how faces are cut, or when a mesh does not survive its
 // file: vertices not merged, unit not applied, degenerate facets or loose vertices kept.
-#include "dem/mass_properties.h"
-#include "dem/triangle_mesh.h"
+#include "dem/meshes/mass_properties.h"
+#include "dem/meshes/triangle_mesh.h"
 #include "tests/dem_solids.h"
 
 #include <gtest/gtest.h>

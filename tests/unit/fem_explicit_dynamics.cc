@@ -1,6 +1,7 @@
 // The explicit integrator against conservation laws. Fails when momentum, power or energy leaks,
 // when the clamp's reaction is not what the motion needs, or when a restart changes a digit.
-#include "fem/explicit_dynamics.h"
+#include "fem/explicit/explicit_dynamics.h"
+#include "fem/layouts/biaxial_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ Lattice small_lattice()
   layout.pitch_along = layout.pitch_across = 0.065;
   layout.elements_per_rib = 4;
   layout.section_along = layout.section_across = {5e-3, 2.5e-3, 2.4e9, 0.4, 910};
-  return Lattice(layout);
+  return Lattice(rib_lines(layout));
 }
 
 // Random velocities [m/s] and spins that bend the ribs within a few thousand steps.

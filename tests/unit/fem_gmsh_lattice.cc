@@ -1,7 +1,7 @@
 // Lattices from Gmsh files of both versions against what was written into them. Fails when lines,
 // sections, node sets or the unit of length are lost or mixed up.
-#include "fem/gmsh_lattice.h"
-#include "fem/line_chains.h"
+#include "fem/gmsh/gmsh_lattice.h"
+#include "fem/gmsh/line_chains.h"
 #include "tests/gmsh_files.h"
 #include "tests/temporary_folder.h"
 

@@ -1,8 +1,8 @@
 // The derivative of a node's inertia force against central differences, for large turns and small
 // ones, and the torque against the change of angular momentum. Fails when a gyroscopic term or the
 // tangent of the exponential is wrong.
-#include "fem/beam_tangent.h"
-#include "fem/inertia_force.h"
+#include "fem/beam/beam_tangent.h"
+#include "fem/implicit/inertia_force.h"
 
 #include <gtest/gtest.h>
 

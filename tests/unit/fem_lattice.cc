@@ -1,7 +1,8 @@
 // A lattice's counts, frames and ties against counting by hand. Fails when junctions are not
 // joined, when freedoms are lost or doubled, or when frames do not follow the ribs.
-#include "fem/lattice.h"
-#include "fem/lattice_mesh.h"
+#include "fem/lattice/lattice.h"
+#include "fem/lattice/lattice_mesh.h"
+#include "fem/layouts/biaxial_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ BiaxialLayout layout(int along, int across, int elements)
 TEST(Lattice, CountsOfABiaxialLayout)
 {
   const int along = 3, across = 2, n = 4;
-  const Lattice lattice(layout(along, across, n));
+  const Lattice lattice(rib_lines(layout(along, across, n)));
   EXPECT_EQ(lattice.n_lines(), along + across + 2);
   const int elements = n * (along * (across + 1) + across * (along + 1));
   EXPECT_EQ(lattice.n_elements(), elements);
@@ -47,7 +48,7 @@ TEST(Lattice, CountsOfABiaxialLayout)
 
 TEST(Lattice, LiesWhereTheLayoutSays)
 {
-  const Lattice lattice(layout(3, 2, 4));
+  const Lattice lattice(rib_lines(layout(3, 2, 4)));
   Vector3d low = Vector3d::Constant(1e9), high = -low;
   for (int i = 0; i < lattice.n_nodes(); ++i) {
     low = low.cwiseMin(lattice.reference_position(i));
@@ -64,7 +65,7 @@ TEST(Lattice, LiesWhereTheLayoutSays)
 
 TEST(Lattice, FramesFollowTheRibs)
 {
-  const Lattice lattice(layout(2, 2, 3));
+  const Lattice lattice(rib_lines(layout(2, 2, 3)));
   double mass = 0;
   for (int e = 0; e < lattice.n_elements(); ++e) {
     const LatticeElement& element = lattice.element(e);
@@ -83,7 +84,7 @@ TEST(Lattice, FramesFollowTheRibs)
 // values.
 TEST(Lattice, TiesMakeJunctionsContinuous)
 {
-  const Lattice lattice(layout(2, 3, 2));
+  const Lattice lattice(rib_lines(layout(2, 3, 2)));
   const auto& dof_handler = lattice.mesh().dof_handler();
   dealii::Vector<double> values(dof_handler.n_dofs());
   std::mt19937 generator(3);

@@ -1,10 +1,10 @@
 // Triaxial and uniaxial layouts and thick junction zones against counting and measuring by hand.
 // Fails when ribs are lost, doubled or outside the rectangle, when junctions are not joined, or
 // when a family has the wrong section or direction.
-#include "fem/junction_zones.h"
-#include "fem/lattice_checks.h"
-#include "fem/triaxial_layout.h"
-#include "fem/uniaxial_layout.h"
+#include "fem/lattice/lattice_checks.h"
+#include "fem/layouts/junction_zones.h"
+#include "fem/layouts/triaxial_layout.h"
+#include "fem/layouts/uniaxial_layout.h"
 
 #include <gtest/gtest.h>
 

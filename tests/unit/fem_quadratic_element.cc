@@ -3,8 +3,8 @@
 // gradient of the energy or do not balance, when rigid motion changes anything, when there are more
 // or fewer than six rigid modes, when the tangent is not the derivative of the force, or when a
 // state of constant strain is missed.
-#include "fem/beam_tangent.h"
-#include "fem/quadratic_element.h"
+#include "fem/beam/beam_tangent.h"
+#include "fem/beam/quadratic_element.h"
 
 #include <Eigen/Eigenvalues>
 

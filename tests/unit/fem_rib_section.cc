@@ -1,5 +1,5 @@
 // Section constants of a rectangle against tables. Fails when a formula or an axis is mixed up.
-#include "fem/beam_section.h"
+#include "fem/ribs/beam_section.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // The rotational spring of junctions against its definition. Fails when its moment is not k theta,
 // when moments do not follow from the energy, when the tangent is not their derivative, or when
 // rigid rotation matters.
-#include "fem/explicit_dynamics.h"
-#include "fem/lattice.h"
-#include "fem/lattice_mesh.h"
-#include "fem/rotational_spring.h"
+#include "fem/beam/rotational_spring.h"
+#include "fem/explicit/explicit_dynamics.h"
+#include "fem/lattice/lattice.h"
+#include "fem/lattice/lattice_mesh.h"
 
 #include <gtest/gtest.h>
 

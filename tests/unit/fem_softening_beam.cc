@@ -8,9 +8,9 @@
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
-#include "fem/beam_tangent.h"
-#include "fem/section_forces.h"
-#include "fem/wide.h"
+#include "fem/beam/beam_tangent.h"
+#include "fem/beam/section_forces.h"
+#include "fem/explicit/wide.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The tension law of a rib against its own definition: hyperbola, yield, elastic unloading. Fails
 // when the numbers of a data sheet are missed, when the least of the three branches does not hold,
 // or when stored and lost energy are not the work done.
-#include "fem/lattice.h"
-#include "fem/tension_law.h"
+#include "fem/lattice/lattice.h"
+#include "fem/ribs/tension_law.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // clamped beams under a central load, deflection P / (2 * 192 EI / L^3), and the energy ledger.
 // Fails when contact forces do not reach the beams in full, when sub-cycling makes or loses energy,
 // or when ribs do not carry the ball back.
-#include "coupling/staggered_step.h"
+#include "coupling/loop/staggered_step.h"
 
 #include <gtest/gtest.h>
 

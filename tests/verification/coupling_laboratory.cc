@@ -1,7 +1,7 @@
 // The laboratory experiment as a whole, on cases with closed answers: a cantilever from a Gmsh
 // file, its natural frequency, and a sheet whose stiffness is its input. Fails when a product is
 // not what the parameters say, a section or a node set goes astray, or a file is not written.
-#include "coupling/laboratory.h"
+#include "coupling/laboratory/laboratory.h"
 #include "tests/gmsh_files.h"
 #include "tests/temporary_folder.h"
 

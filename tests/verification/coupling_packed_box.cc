@@ -4,7 +4,7 @@
 // another weight than that of the stones (0.1 %), a contact that the neighbour lists miss, or a
 // ledger that does not close, to fail. The springs of friction are not stored in the state, so the
 // count is that of a packing that finds its rest anew.
-#include "coupling/packing.h"
+#include "coupling/packing/packing.h"
 #include "tests/temporary_folder.h"
 
 using namespace interlock::coupling;

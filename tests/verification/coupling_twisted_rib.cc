@@ -2,7 +2,7 @@
 // What leaves the ball must reach the rib, although overlap, contact point and section change along
 // the rod. Fails when contact forces are not the gradient of the energy in the contacts, or when
 // the rib's loads are not dual to the motion that the contacts see.
-#include "coupling/staggered_step.h"
+#include "coupling/loop/staggered_step.h"
 
 #include <gtest/gtest.h>
 

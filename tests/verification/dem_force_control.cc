@@ -4,7 +4,7 @@
 // and its work be in the ledger. Stability: with one ball on a bed the characteristic polynomial
 // gives 2 s/(2 - gain) + sigma < 4; on either side of the bound the force must settle or not. Fails
 // when a sign is wrong, the gain does not follow the number of contacts, or work is lost.
-#include "dem/force_control.h"
+#include "dem/walls/force_control.h"
 #include "tests/dem_wall_bench.h"
 #include "tests/refusal.h"
 

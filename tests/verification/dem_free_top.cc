@@ -2,7 +2,7 @@
 // principal moments (1, 2, 3), body-frame spin at t = 10, 50, 100. Expected order of the attitude
 // step: 2; the spatial angular momentum is exact. Fails when the gyroscopic term is missing or the
 // step is of first order.
-#include "dem/clumps.h"
+#include "dem/bodies/clumps.h"
 
 #include <gtest/gtest.h>
 

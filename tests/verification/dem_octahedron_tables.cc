@@ -4,7 +4,7 @@
 // node orders. Fails when the order of the tests (d_min, grow, r_min), what p_max counts, the sign
 // of a distance or the meaning of the largest ball is changed.
 #include "dem/generator/octahedron_tables.h"
-#include "dem/mass_properties.h"
+#include "dem/meshes/mass_properties.h"
 
 #include <gtest/gtest.h>
 

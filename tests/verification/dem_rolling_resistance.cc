@@ -3,7 +3,7 @@
 // a ball rolls in place where the slope is mu_r. Fails when the moment, its limit, its sign on
 // either body or the rolling radius is wrong, when it keeps swinging about zero instead of resting,
 // when springs are lost on a mesh, or when the ledger stays open.
-#include "dem/rolling_resistance.h"
+#include "dem/engine/rolling_resistance.h"
 #include "tests/dem_wall_bench.h"
 
 #include <gtest/gtest.h>

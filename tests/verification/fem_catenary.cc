@@ -1,6 +1,6 @@
 // A beam without bending stiffness worth the name hangs as a cable. Fails when the stiffness from
 // tension is wrong, or when repeated loading forgets what is already there.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -2,7 +2,7 @@
 // The paper shows curves; the extremes below are those of an independent geometrically exact code
 // (Exudyn, 40 elements a leg). Fails when large rotations, gyroscopic terms, junction or load are
 // wrong.
-#include "fem/explicit_dynamics.h"
+#include "fem/explicit/explicit_dynamics.h"
 #include "tests/elbow_cantilever.h"
 
 #include <gtest/gtest.h>

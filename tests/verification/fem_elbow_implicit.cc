@@ -1,7 +1,7 @@
 // The elbow cantilever by the implicit integrator, alone and against the explicit one. Fails when
 // large rotations, gyroscopic torque, junction, load or the rule are wrong.
-#include "fem/explicit_dynamics.h"
-#include "fem/implicit_dynamics.h"
+#include "fem/explicit/explicit_dynamics.h"
+#include "fem/implicit/implicit_dynamics.h"
 #include "tests/elbow_cantilever.h"
 
 #include <deal.II/base/mpi.h>

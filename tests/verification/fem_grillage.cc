@@ -1,6 +1,6 @@
 // Grillages of square bays against the exact stiffness method. Fails when rigid junctions, torsion
 // or the exactness of the element at its nodes are lost.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,9 +1,9 @@
 // The implicit integrator against the theory of its rule and rigid-body dynamics (the elbow
 // cantilever has its own file). Fails when the rule, the gyroscopic torque, finite rotations, the
 // work of loads and supports or the start are wrong.
-#include "fem/implicit_dynamics.h"
-#include "fem/modes.h"
-#include "fem/static_solver.h"
+#include "fem/implicit/implicit_dynamics.h"
+#include "fem/implicit/modes.h"
+#include "fem/statics/static_solver.h"
 
 #include <deal.II/base/mpi.h>
 

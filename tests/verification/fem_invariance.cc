@@ -1,10 +1,10 @@
 // What no solution may depend on: rigid motion, the path of loading, the start of the iteration.
 // Fails when rotations are interpolated or updated wrongly, or the tangent is not the derivative.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 
 #include "../lattice_tangent.h"
-#include "fem/beam_constants.h"
-#include "fem/beam_tangent.h"
+#include "fem/beam/beam_tangent.h"
+#include "fem/lattice/beam_constants.h"
 
 #include <deal.II/base/mpi.h>
 

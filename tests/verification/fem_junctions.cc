@@ -1,8 +1,8 @@
 // Junctions with rotational stiffness and thick zones against closed formulae of frame analysis.
 // Fails when a spring acts about the wrong axis or with the wrong stiffness, when the limits are
 // not pinned and rigid, or when zones have the wrong reach or stiffness.
-#include "fem/junction_zones.h"
-#include "fem/static_solver.h"
+#include "fem/layouts/junction_zones.h"
+#include "fem/statics/static_solver.h"
 #include "tests/beam_samples.h"
 
 #include <deal.II/base/mpi.h>

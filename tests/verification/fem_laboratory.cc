@@ -2,7 +2,7 @@
 // 2 x 2 lattice against slope-deflection theory, the overhang against the heavy elastica. Fails
 // when a specimen is held wrongly, a width or a pitch is mixed up between the directions, a rib is
 // counted twice, or weight goes missing.
-#include "fem/laboratory.h"
+#include "fem/laboratory/laboratory.h"
 
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Buckling out of the plane of a thin frame. Fails when the tangent lacks the stiffness from
 // moments and forces under finite rotations.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 
 #include "../lattice_tangent.h"
 

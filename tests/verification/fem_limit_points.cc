@@ -1,7 +1,7 @@
 // Frames that lose their stiffness: the path through limit points by arc length and by displacement
 // control. Fails when the path turns back, skips a limit point, or the tangent is wrong under large
 // compression.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -1,8 +1,9 @@
 // Modes and implicit steps of a geogrid on all processes against the same on one: frequencies and
 // motion must agree to rounding. Runs on one process and, by mpirun, on several. Fails when
 // inertia, loads or supports are assembled twice or not at all where parts of the mesh meet.
-#include "fem/implicit_dynamics.h"
-#include "fem/modes.h"
+#include "fem/implicit/implicit_dynamics.h"
+#include "fem/implicit/modes.h"
+#include "fem/layouts/biaxial_layout.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -19,7 +20,7 @@ StaticState clamped_geogrid()
   layout.pitch_along = layout.pitch_across = 0.065;
   layout.elements_per_rib = 4;
   layout.section_along = layout.section_across = {5e-3, 2.5e-3, 2.4e9, 0.3, 910};
-  StaticState state{Lattice(layout)};
+  StaticState state{Lattice(rib_lines(layout))};
   for (const int node : state.lattice.front_edge_nodes())
     for (int c = 0; c < 6; ++c) state.supports.push_back({node, c, 0.});
   return state;

@@ -1,10 +1,11 @@
 // The static solver on all processes against itself on one. CTest runs it on 1, 2 and 4 processes.
 // Fails when parts lose elements, freedoms or junctions between them, or when an iterative solver
 // chosen by options does not work.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 
-#include "fem/lattice_mesh.h"
-#include "fem/lattice_system.h"
+#include "fem/lattice/lattice_mesh.h"
+#include "fem/layouts/biaxial_layout.h"
+#include "fem/statics/lattice_system.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -25,7 +26,7 @@ Lattice geogrid()
   layout.pitch_along = layout.pitch_across = 0.065;
   layout.elements_per_rib = 4;
   layout.section_along = layout.section_across = {5e-3, 2.5e-3, 2.4e9, 0.4, 910};
-  return Lattice(layout);
+  return Lattice(rib_lines(layout));
 }
 
 // Held at one edge, pulled at the other, and pushed out of its plane in the middle.

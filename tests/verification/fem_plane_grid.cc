@@ -1,8 +1,8 @@
 // Lattices as plane sheets: stiffness of square and triangular grids against the closed formulae of
 // cellular solids, and the out-of-plane bracket. Fails when ribs, joints or layouts carry force
 // otherwise than the sheet they stand for.
-#include "fem/static_solver.h"
-#include "fem/triaxial_layout.h"
+#include "fem/layouts/triaxial_layout.h"
+#include "fem/statics/static_solver.h"
 #include "tests/beam_samples.h"
 
 #include <deal.II/base/mpi.h>

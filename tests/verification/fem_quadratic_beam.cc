@@ -1,7 +1,7 @@
 // The quadratic beam element in the static solver against beam theory. Expected order of nodal
 // results: 4 in the element length, on straight and on curved ribs. Fails when the interpolation,
 // its integration, the curve of the unloaded element or its place in the solver is wrong.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 #include "tests/beam_samples.h"
 
 #include <deal.II/base/mpi.h>

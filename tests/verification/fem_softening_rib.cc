@@ -1,9 +1,9 @@
 // Ribs that soften and yield, in the static solver and in the explicit integrator. Fails when the
 // path of loading, unloading and reloading is not that of the tension law, when history is lost or
 // committed too early, when both solvers part, or when the ledger of energies does not close.
-#include "fem/explicit_dynamics.h"
-#include "fem/static_solver.h"
-#include "fem/tension_law.h"
+#include "fem/explicit/explicit_dynamics.h"
+#include "fem/ribs/tension_law.h"
+#include "fem/statics/static_solver.h"
 
 #include <deal.II/base/mpi.h>
 

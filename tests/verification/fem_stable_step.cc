@@ -5,9 +5,10 @@
 // GCC 12 warns in its own header about undefined operands of vector intrinsics (GCC bug 105593).
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
-#include "fem/beam_constants.h"
-#include "fem/beam_tangent.h"
-#include "fem/explicit_dynamics.h"
+#include "fem/beam/beam_tangent.h"
+#include "fem/explicit/explicit_dynamics.h"
+#include "fem/lattice/beam_constants.h"
+#include "fem/layouts/biaxial_layout.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -28,7 +29,7 @@ Lattice small_lattice(int elements)
   layout.pitch_along = layout.pitch_across = 0.065;
   layout.elements_per_rib = elements;
   layout.section_along = layout.section_across = {5e-3, 2.5e-3, 2.4e9, 0.4, 910};
-  return Lattice(layout);
+  return Lattice(rib_lines(layout));
 }
 
 // 2/omega_max of K u = omega^2 M u, of the lattice as it is or evenly stretched, of which `plastic`

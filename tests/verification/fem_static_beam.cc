@@ -1,7 +1,7 @@
 // The static solver against beam theory. Expected order of the plain element: 2 in the element
 // length. Fails when stiffnesses, loads, supports, finite rotations or the joints of crossing ribs
 // are wrong.
-#include "fem/static_solver.h"
+#include "fem/statics/static_solver.h"
 #include "tests/beam_samples.h"
 
 #include <deal.II/base/mpi.h>

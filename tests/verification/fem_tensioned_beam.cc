@@ -1,9 +1,9 @@
 // Ribs under tension, as a pull-out makes them: sideways stiffness and frequency grow with the
 // tension and the rib stays straight, however large the tension is against the bending stiffness of
 // one element. Fails when the residual bending flexibility comes without its bowing: sections then
-// tip over at a tension of S*, see fem/beam_section.h.
-#include "fem/explicit_dynamics.h"
-#include "fem/static_solver.h"
+// tip over at a tension of S*, see fem/ribs/beam_section.h.
+#include "fem/explicit/explicit_dynamics.h"
+#include "fem/statics/static_solver.h"
 
 #include <deal.II/base/mpi.h>
 

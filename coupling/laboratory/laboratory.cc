@@ -1,0 +1,348 @@
+#include "coupling/laboratory/laboratory.h"
+
+#include "coupling/output/atomic_file.h"
+#include "coupling/output/lattice_output.h"
+#include "dem/input_error.h"
+#include "fem/gmsh/gmsh_file.h"
+#include "fem/gmsh/gmsh_lattice.h"
+#include "fem/ribs/tension_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace interlock::coupling
+{
+namespace
+{
+constexpr double degree = M_PI / 180, standard_gravity = 9.80665;
+
+// Ribs of this Young's modulus, or those whose sheet has this stiffness and strength: `spacing` is
+// the width of the sheet that one rib carries, `length` that from junction to junction. Thicker
+// zones strain less, so the rib between them is made softer to small strains.
+fem::RibProfile product_ribs(const ProductRibsParameters& parameters,
+                             const ProductParameters& product, double spacing, double length)
+{
+  fem::RibProfile ribs;
+  ribs.shape = {parameters.width, parameters.thickness, parameters.youngs_modulus,
+                product.poisson_ratio, product.density};
+  fem::TensionLaw law;
+  if (parameters.stiffness_2 > 0) {
+    const double stiffness_5 =
+        parameters.stiffness_5 > 0 ? parameters.stiffness_5 : parameters.stiffness_2;
+    const double zones = product.junction_reach > 0 ? 2 * product.junction_reach / length : 0;
+    const double thin = zones > 0 ? parameters.thickness / product.junction_thickness : 1;
+    law = fem::tension_law(parameters.stiffness_2, stiffness_5, spacing * (1 - zones * (1 - thin)));
+    ribs.shape.youngs_modulus = law.axial / fem::area(ribs.shape);
+  }
+  ribs.section = fem::beam_section(ribs.shape);
+  ribs.section.softening = law.softening;
+  ribs.section.yield_force =
+      parameters.strength > 0 ? spacing * parameters.strength : law.yield_force;
+  return ribs;
+}
+
+std::string number(double value, int digits = 4)
+{
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
+
+std::string padded(std::string text, std::size_t width, bool right = true)
+{
+  text.insert(right ? 0 : text.size(), width > text.size() ? width - text.size() : 0, ' ');
+  return text;
+}
+} // namespace
+
+fem::GeogridProduct geogrid_product(const ProductParameters& parameters)
+{
+  fem::GeogridProduct product;
+  product.pitch_along = parameters.pitch_along;
+  product.pitch_across = parameters.pitch_across;
+  product.elements_per_rib = parameters.elements_per_rib;
+  product.junctions = {parameters.junction_reach, parameters.junction_thickness};
+  if (parameters.junction_stiffness > 0)
+    product.junction_stiffness.in_plane = parameters.junction_stiffness;
+  product.pattern = parameters.pattern == "triaxial"   ? fem::Pattern::triaxial
+                    : parameters.pattern == "uniaxial" ? fem::Pattern::uniaxial
+                                                       : fem::Pattern::biaxial;
+  // A sheet of triangles of ribs EA has the stiffness 2 EA/(sqrt(3) side) in every direction.
+  const double spacing = std::sqrt(0.75) * parameters.pitch_across;
+  const bool triaxial = product.pattern == fem::Pattern::triaxial;
+  product.ribs_along =
+      triaxial ? product_ribs(parameters.along, parameters, spacing, parameters.pitch_across)
+               : product_ribs(parameters.along, parameters, parameters.pitch_across,
+                              parameters.pitch_along);
+  product.ribs_across =
+      product_ribs(parameters.across, parameters, triaxial ? spacing : parameters.pitch_along,
+                   parameters.pitch_across);
+  return product;
+}
+
+Laboratory::Laboratory(const LaboratoryParameters& parameters, const Monitor& monitor)
+    : parameters_(parameters), monitor_(monitor)
+{
+  try {
+    product_ = geogrid_product(parameters.product);
+    fem::piece(product_, 1, 1);
+    supports_ = parse_supports(parameters.test.supports);
+    loads_ = parse_loads(parameters.test.loads);
+    const std::string& test = parameters.test.test;
+    if (test == "supports and loads" || test == "modes") {
+      make_lattice();
+      check_conditions();
+    }
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError(error.what());
+  }
+}
+
+// The lattice of supports and loads, and of modes: a piece of the product, or that of a file.
+void Laboratory::make_lattice()
+{
+  const LaboratoryTestParameters& p = parameters_.test;
+  if (p.lattice_file.empty()) {
+    lattice_ =
+        std::make_unique<fem::Lattice>(fem::piece(product_, p.apertures_along, p.apertures_across));
+    sets_ = node_sets_of_piece(*lattice_);
+    return;
+  }
+  std::map<std::string, fem::GmshSection> sections;
+  for (const fem::GmshFile::Line& line : fem::read_gmsh_file(p.lattice_file).lines) {
+    if (line.group == "along") sections[line.group].profile = product_.ribs_along;
+    if (line.group == "across") sections[line.group].profile = product_.ribs_across;
+  }
+  const fem::GmshLattice file =
+      fem::read_gmsh_lattice(p.lattice_file, sections, p.lattice_length_unit);
+  lattice_ = std::make_unique<fem::Lattice>(file.lines);
+  sets_ = fem::node_sets(file, *lattice_);
+  for (int i = 0; i < lattice_->n_nodes(); ++i) sets_["everywhere"].push_back(i);
+}
+
+// Unknown sets, or a lattice that can move as a whole: before anything is written.
+void Laboratory::check_conditions() const
+{
+  for (const SupportCondition& support : supports_) nodes_of(support.set, sets_);
+  for (const LoadCondition& load : loads_) nodes_of(load.set, sets_);
+  const std::unique_ptr<fem::StaticSolver> solver = new_solver();
+  apply(supports_, 1, sets_, *solver);
+  if (parameters_.test.test != "modes") {
+    fem::require_held(solver->state());
+    return;
+  }
+  const int free = fem::n_free_freedoms(solver->state()), modes = parameters_.test.modes;
+  if (modes > free)
+    throw InputError("Laboratory/Modes is " + std::to_string(modes) + ", but must be at most " +
+                     std::to_string(free) + ", the number of free freedoms of the lattice.");
+}
+
+std::unique_ptr<fem::StaticSolver> Laboratory::new_solver() const
+{
+  fem::StaticOptions options;
+  options.load_steps = 1;
+  return std::make_unique<fem::StaticSolver>(*lattice_, options);
+}
+
+fem::LaboratoryProgress Laboratory::progress(const std::string& stage) const
+{
+  return [this, stage](double share) {
+    if (monitor_.progress) monitor_.progress({stage, share, 0, 0});
+  };
+}
+
+// Files and log of a finished test. `columns`: of deformation and load in history.csv.
+void Laboratory::finish(const std::string& test, const std::vector<std::string>& columns,
+                        const fem::LaboratoryTest& result, const std::filesystem::path& output)
+{
+  for (const fem::LaboratoryPoint& point : result.path)
+    history_->add({test, columns[0], point.deformation, columns[1], point.load});
+  std::string stem = test;
+  std::replace(stem.begin(), stem.end(), ' ', '_');
+  write_lattice(output / stem, *result.solver);
+  const Clock::time_point now = Clock::now();
+  StageSummary stage;
+  stage.name = test;
+  stage.steps = static_cast<std::int64_t>(result.path.size()) - 1;
+  stage.wall_time = std::chrono::duration<double>(now - stage_start_).count();
+  stage_start_ = now;
+  summary_.steps += stage.steps;
+  summary_.wall_time += stage.wall_time;
+  if (monitor_.message)
+    monitor_.message(test + ": " + std::to_string(result.solver->lattice().n_elements()) +
+                     " beam elements, " + std::to_string(stage.steps) + " steps (" +
+                     number(stage.wall_time, 2) + " s)");
+  summary_.stages.push_back(stage);
+}
+
+void Laboratory::add_row(const std::string& quantity, const std::string& key,
+                         const std::string& unit, double measured, double stated)
+{
+  rows_.push_back({quantity, unit, measured, stated});
+  summary_.results[key] = measured;
+  if (stated > 0) summary_.results[key + "_stated"] = stated;
+}
+
+void Laboratory::tension(const std::string& direction, bool single_rib,
+                         const std::filesystem::path& output)
+{
+  const bool along = direction == "along";
+  const DataSheetParameters& sheet = parameters_.data_sheet;
+  const fem::GeogridProduct product = along ? product_ : fem::turned(product_);
+  const std::string kind = single_rib ? "single-rib tension" : "wide-width tension";
+  const std::string name = kind + " " + direction;
+  const LaboratoryTestParameters& p = parameters_.test;
+  const auto test = single_rib ? fem::single_rib_tension : fem::wide_width_tension;
+  const fem::LaboratoryTest result = test(product, p.largest_strain, p.steps, progress(name));
+  finish(name, {"strain [-]", "force_per_width [N/m]"}, result, output);
+  const std::string stem = std::string(single_rib ? "single_rib" : "wide_width") + "_force_at_";
+  const auto row = [&](double strain, const std::string& percent, double stated) {
+    if (p.largest_strain < strain * (1 - 1e-9)) return;
+    add_row(kind + ", " + direction + ", force at " + percent + " %",
+            stem + percent + "_percent_" + direction + "_kN_per_m", "kN/m",
+            1e-3 * fem::load_at(result.path, strain), stated);
+  };
+  row(0.02, "2", along ? sheet.force_2_along : sheet.force_2_across);
+  row(0.05, "5", along ? sheet.force_5_along : sheet.force_5_across);
+}
+
+void Laboratory::stability(const std::filesystem::path& output)
+{
+  const LaboratoryTestParameters& p = parameters_.test;
+  const fem::LaboratoryTest result =
+      fem::aperture_stability(product_, p.largest_torque, p.steps, progress("aperture stability"));
+  finish("aperture stability", {"rotation [rad]", "torque [N m]"}, result, output);
+  add_row("aperture stability at " + number(p.largest_torque) + " N m",
+          "aperture_stability_N_m_per_deg", "N m/deg",
+          result.path.back().load / (result.path.back().deformation / degree),
+          parameters_.data_sheet.aperture_stability);
+}
+
+void Laboratory::overhang(const std::string& direction, const std::filesystem::path& output)
+{
+  const bool along = direction == "along";
+  const std::string name = "flexural overhang " + direction;
+  const fem::OverhangResult result =
+      fem::flexural_overhang(along ? product_ : fem::turned(product_), parameters_.test.strip_ribs,
+                             parameters_.test.gravity, progress(name));
+  finish(name, {"tip_fall [m]", "weight_share [-]"}, result.test, output);
+  add_row("overhang length, " + direction, "overhang_length_" + direction + "_m", "m",
+          result.length, 0);
+  // One mg cm is a force of 1e-6 kg g over a length of 1e-2 m.
+  add_row("flexural rigidity, " + direction, "flexural_rigidity_" + direction + "_mg_cm", "mg cm",
+          result.flexural_rigidity / (1e-8 * standard_gravity),
+          along ? parameters_.data_sheet.flexural_rigidity : 0);
+}
+
+void Laboratory::loaded(const std::filesystem::path& output)
+{
+  const LaboratoryTestParameters& p = parameters_.test;
+  fem::LaboratoryTest test;
+  test.solver = new_solver();
+  const fem::Lattice& lattice = *lattice_;
+  test.path.push_back({});
+  double largest = 0;
+  for (int k = 1; k <= p.steps; ++k) {
+    apply(supports_, static_cast<double>(k) / p.steps, sets_, *test.solver);
+    apply(loads_, 1. / p.steps, sets_, *test.solver);
+    test.solver->solve();
+    for (int i = 0; i < lattice.n_nodes(); ++i)
+      largest = std::max(largest, test.solver->displacement(i).norm());
+    test.path.push_back({largest, static_cast<double>(k) / p.steps});
+    progress("supports and loads")(static_cast<double>(k) / p.steps);
+  }
+  finish("supports and loads", {"largest_displacement [m]", "load_share [-]"}, test, output);
+  add_row("largest displacement", "largest_displacement_m", "m", largest, 0);
+  double axial = 0, stretch = 0;
+  for (int e = 0; e < lattice.n_elements(); ++e) {
+    const double force = test.solver->section_forces(e).axial;
+    axial = std::max(axial, std::abs(force));
+    stretch = std::max(stretch, force / lattice.section(e).axial);
+  }
+  add_row("largest axial force of a rib", "largest_axial_force_N", "N", axial, 0);
+  for (const SupportCondition& support : supports_) {
+    const fem::NodeLoad sum = fem::total_reaction(*test.solver, sets_.at(support.set));
+    const char* names[] = {"x", "y", "z"};
+    for (int c = 0; c < 3; ++c)
+      add_row("reaction of " + support.set + ", " + names[c],
+              "reaction_" + support.set + "_" + names[c] + "_N", "N", sum[c], 0);
+  }
+}
+
+void Laboratory::modes(const std::filesystem::path& output)
+{
+  const std::unique_ptr<fem::StaticSolver> solver = new_solver();
+  const fem::Lattice& lattice = *lattice_;
+  apply(supports_, 1, sets_, *solver);
+  progress("modes")(-1);
+  const std::vector<fem::NaturalMode> modes =
+      fem::natural_modes(solver->state(), parameters_.test.modes);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    history_->add(
+        {"modes", "mode [-]", static_cast<double>(m + 1), "frequency [Hz]", modes[m].frequency});
+    add_row("natural frequency " + std::to_string(m + 1),
+            "natural_frequency_" + std::to_string(m + 1) + "_Hz", "Hz", modes[m].frequency, 0);
+  }
+  write_modes(output / "modes", lattice, modes);
+  if (monitor_.message)
+    monitor_.message("modes: " + std::to_string(lattice.n_elements()) + " beam elements");
+}
+
+Summary Laboratory::run(const std::filesystem::path& output)
+{
+  stage_start_ = Clock::now();
+  summary_.experiment = "geogrid";
+  summary_.results["product"] = parameters_.product.name;
+  history_ = std::make_unique<History>(
+      output / "history.csv",
+      std::vector<std::string>{"test", "deformation_name", "deformation", "load_name", "load"});
+  const LaboratoryTestParameters& p = parameters_.test;
+  const bool all = p.test == "data sheet";
+  if (all || p.test == "wide-width tension") tension(all ? "along" : p.direction, false, output);
+  if (all && product_.pattern == fem::Pattern::biaxial) tension("across", false, output);
+  if (p.test == "single-rib tension") tension(p.direction, true, output);
+  if ((all && product_.pattern != fem::Pattern::uniaxial) || p.test == "aperture stability")
+    stability(output);
+  if ((all && product_.pattern != fem::Pattern::triaxial) || p.test == "flexural overhang")
+    overhang(all ? "along" : p.direction, output);
+  if (p.test == "supports and loads") loaded(output);
+  if (p.test == "modes") modes(output);
+  if (all)
+    add_row("mass per area", "mass_per_area_kg_per_m2", "kg/m2", product_.mass_per_area(),
+            parameters_.data_sheet.mass_per_area);
+  write_table(output / "table.csv");
+  print_table();
+  return summary_;
+}
+
+void Laboratory::write_table(const std::filesystem::path& file) const
+{
+  std::ostringstream out;
+  out << "quantity,unit,measured,stated\n";
+  for (const Row& row : rows_)
+    out << '"' << row.quantity << "\"," << row.unit << ',' << number(row.measured, 6) << ','
+        << (row.stated > 0 ? number(row.stated, 6) : "") << '\n';
+  write_atomically(file, out.str());
+}
+
+void Laboratory::print_table() const
+{
+  if (!monitor_.message) return;
+  std::string text = padded(parameters_.product.name, 46, false) + padded("measured", 12) +
+                     padded("data sheet", 12) + padded("ratio", 8);
+  for (const Row& row : rows_) {
+    text += "\n  " + padded(row.quantity + " [" + row.unit + "]", 44, false) +
+            padded(number(row.measured), 12);
+    if (row.stated > 0)
+      text += padded(number(row.stated), 12) + padded(number(row.measured / row.stated, 3), 8);
+  }
+  if (!parameters_.data_sheet.source.empty())
+    text += "\n  data sheet: " + parameters_.data_sheet.source;
+  monitor_.message(text);
+}
+} // namespace interlock::coupling

@@ -1,0 +1,57 @@
+// The geogrid in the coupled loop: the beam lattice, its ribs as dem sees them, and its clamp.
+#pragma once
+
+#include "coupling/parameters/geogrid_parameters.h"
+#include "dem/ribs/rib_contacts.h"
+#include "fem/explicit/explicit_dynamics.h"
+
+#include <memory>
+
+namespace interlock::coupling
+{
+// Owns the lattice and its motion. Rib r of dem is element r of fem: that is the whole map between
+// them.
+class Geogrid
+{
+public:
+  // `clamped` nodes are moved by the clamp, all of them for a rigid geogrid; `edge_rounding` is the
+  // radius of the ribs' edges [m]. The outer sizes of the ribs are those of the lattice's lines.
+  Geogrid(fem::Lattice lattice, const fem::DynamicsOptions& options,
+          const std::vector<int>& clamped, bool rigid, double edge_rounding);
+
+  // The geogrid of a pull-out test. `front` is the middle of the front transverse rib, the one that
+  // the clamp holds; the lattice lies flat behind it, along +x [m]. `gravity` acts along -z [m/s2].
+  static Geogrid biaxial(const GeogridParameters& parameters, const dem::Vector3& front,
+                         double gravity);
+
+  const fem::Lattice& lattice() const { return *lattice_; }
+  fem::ExplicitDynamics& dynamics() { return *dynamics_; }
+  const fem::ExplicitDynamics& dynamics() const { return *dynamics_; }
+  const std::vector<dem::Rib>& ribs() const { return ribs_; }
+  bool rigid() const { return rigid_; }
+
+  // Copies the lattice's motion to the ribs listed, or to all.
+  void refresh_ribs(const std::vector<int>& which);
+  void refresh_all_ribs();
+
+  // Puts wrenches of stones on the lattice, in their order.
+  void apply(const std::vector<dem::RibWrench>& wrenches);
+
+  // Number of equal sub-steps in a step `dt` that keeps beams and the contacts of `contacts`
+  // stable: 1/h^2 = 1/h_beam^2 + the largest sum, over the contacts at one node, of k N (1/m +
+  // arm^2/J) / 4, with the dashpot's factor sqrt(1 + z^2) - z and a margin of 0.75 (a dashpot at a
+  // lever arm shortens the step more than that factor says). At least 2; 1 for a rigid geogrid.
+  int required_substeps(double dt, const dem::RibContacts& contacts) const;
+
+  double mass() const { return lattice_->mass(); } // [kg]
+
+private:
+  void refresh_rib(int r);
+
+  bool rigid_;
+  std::unique_ptr<fem::Lattice> lattice_;
+  std::unique_ptr<fem::ExplicitDynamics> dynamics_;
+  std::vector<dem::Rib> ribs_;
+  std::vector<dem::Vector3> unloaded_width_axis_; // of each rib, unit
+};
+} // namespace interlock::coupling

@@ -1,0 +1,36 @@
+// The three time series of a run for ParaView: clumps, geogrid, contacts.
+#pragma once
+
+#include "coupling/loop/staggered_step.h"
+#include "coupling/output/field_output.h"
+#include "dem/engine/engine.h"
+
+#include <filesystem>
+
+namespace interlock::coupling
+{
+// clumps: a point for each member sphere with `radius` [m], `clump` (its id) [-], `velocity` [m/s]
+// and `displacement` [m] of the clump since the first frame. geogrid: lines between nodes with
+// displacement, velocity and section forces. contacts: lines from a clump's centre to its partner's
+// centre, or to the contact point on a wall or rib, with `force` (size) [N] and `kind` (0 stones, 1
+// wall, 2 rib) [-].
+class FieldFrames
+{
+public:
+  explicit FieldFrames(const std::filesystem::path& folder);
+
+  void write(double time, const dem::Engine& engine, const StaggeredStep& loop);
+  // Of stones and walls alone: there is no geogrid.
+  void write(double time, const dem::Engine& engine);
+
+private:
+  void write_clumps(double time, const dem::Engine& engine);
+  void write_geogrid(double time, const Geogrid& geogrid);
+  void write_contacts(double time, const dem::Engine& engine,
+                      const std::vector<dem::RibContact>& rib_contacts);
+
+  XdmfSeries clumps_, geogrid_, contacts_;
+  std::vector<std::int64_t> first_id_; // ids at the first frame, ascending
+  dem::VectorField first_position_;
+};
+} // namespace interlock::coupling

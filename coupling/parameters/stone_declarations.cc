@@ -1,0 +1,67 @@
+#include "coupling/parameters/stone_declarations.h"
+
+#include <boost/algorithm/string.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace interlock::coupling
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+bool is_scan(const fs::directory_entry& entry)
+{
+  const std::string ending = boost::algorithm::to_lower_copy(entry.path().extension().string());
+  return ending == ".stl" || ending == ".ply" || ending == ".obj";
+}
+} // namespace
+
+void declare_stones(ParameterTable& table, StoneParameters& stones)
+{
+  table.open_section("Stones");
+  table.offer_folder(
+      "Folder", stones.folder,
+      "Folder of closed surface scans (STL, PLY, OBJ), relative to this file; empty: "
+      "synthetic stones.");
+  // 0 stands for `not given`: a wrong guess would make stones of the size of a house.
+  table.offer("Length unit", stones.length_unit, 0, not_negative,
+              "Length of one unit of the scans, 0.001 for millimetres; needed with a folder. [m]");
+  table.offer("Count", stones.count, 41, {1, 100000, true},
+              "Number of different synthetic stones. [-]");
+  table.offer_seed("Seed", stones.seed,
+                   "Seed of the synthetic stones and of the order of the clump generator. [-]");
+  table.require("Density", stones.density, positive, "Density of the rock. [kg/m3]");
+  table.require(
+      "D min", stones.d_min, not_negative,
+      "Clump generator: a surface node nearer than this to a sphere gets no sphere of its "
+      "own. [m]");
+  table.require("R min", stones.r_min, not_negative,
+                "Clump generator: spheres of a smaller radius are rejected. [m]");
+  table.require("P max", stones.p_max, {0, 100, false},
+                "Clump generator: stop when this share of the surface nodes has been used. [%]");
+  table.offer("Max spheres", stones.max_spheres, 0, {0, 100000, true},
+              "Clump generator: largest number of spheres in a clump; 0: no limit. [-]");
+  table.offer_choice("Mass properties", stones.mass_properties, "mesh",
+                     {"uniform", "equal-mass", "mesh"},
+                     "Mass, centre and inertia of a clump: spheres of the same density, spheres of "
+                     "the same mass, or exactly those of the closed surface.");
+}
+
+void check_stones(const StoneParameters& stones, ParameterProblems& problems)
+{
+  if (stones.folder.empty()) return;
+  std::error_code error;
+  const fs::directory_iterator files(stones.folder, error);
+  if (error)
+    problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
+                 "\" cannot be read: ", error.message(), ".");
+  else if (std::none_of(begin(files), end(files), is_scan))
+    problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
+                 "\" holds no file that ends with .stl, .ply or .obj.");
+  if (stones.length_unit <= 0)
+    problems.add("Stones/Length unit", "The length of one unit of the scans must be given with a "
+                                       "folder of scans, for example 0.001 m for millimetres.");
+}
+} // namespace interlock::coupling

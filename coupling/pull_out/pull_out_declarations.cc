@@ -1,0 +1,170 @@
+#include "coupling/pull_out/pull_out_declarations.h"
+
+#include "coupling/parameters/stone_declarations.h"
+
+#include <limits>
+
+namespace interlock::coupling
+{
+namespace
+{
+const Range at_least_one{1, std::numeric_limits<double>::infinity(), true};
+const Range friction{0, 5, true};
+const Range damping_ratio{0, 1, true};
+
+void declare_box(ParameterTable& table, BoxParameters& box)
+{
+  table.open_section("Box");
+  table.require("Length", box.length, positive,
+                "Inner length along x, the direction of the pull. [m]");
+  table.require("Width", box.width, positive, "Inner width along y. [m]");
+  table.require("Height", box.height, positive, "Inner height along z. [m]");
+  table.require("Slot height", box.slot_height, positive,
+                "Height of the gap in the front wall, centred on the geogrid. [m]");
+}
+
+void declare_contact(ParameterTable& table, ContactParameters& contact)
+{
+  table.open_section("Contact");
+  table.require(
+      "Stone stiffness", contact.stone_stiffness, positive,
+      "Normal contact stiffness of a stone; two bodies act in series, k = k1 k2/(k1 + k2). "
+      "[N/m]");
+  table.require("Box stiffness", contact.box_stiffness, positive,
+                "Normal contact stiffness of the walls and the plate. [N/m]");
+  table.require("Geogrid stiffness", contact.geogrid_stiffness, positive,
+                "Normal contact stiffness of a rib's surface. [N/m]");
+  table.require("Stone friction", contact.stone_friction, friction,
+                "Friction coefficient of the stones; a pair takes the smaller of its two. [-]");
+  table.require("Box friction", contact.box_friction, friction,
+                "Friction coefficient of the walls. [-]");
+  table.require("Geogrid friction", contact.geogrid_friction, friction,
+                "Friction coefficient of the ribs. [-]");
+  const Range pair_friction{-1, 5, true};
+  table.offer("Stone on box friction", contact.stone_on_box_friction, -1, pair_friction,
+              "Friction coefficient between stones and walls; -1: the smaller of the two. [-]");
+  table.offer("Stone on geogrid friction", contact.stone_on_geogrid_friction, -1, pair_friction,
+              "Friction coefficient between stones and ribs; -1: the smaller of the two. [-]");
+  table.require("Tangential ratio", contact.tangential_ratio, {0, 2, false},
+                "Tangential over normal contact stiffness. [-]");
+  table.require("Damping ratio", contact.damping_ratio, damping_ratio,
+                "Normal and tangential contact dashpots between stones and at walls, share of the "
+                "critical damping. [-]");
+  table.require(
+      "Share among contacts", contact.share_among_contacts,
+      "Contacts of the same two stones (or of a stone and a wall) share one stiffness and one "
+      "dashpot, so that neither grows with the number of spheres.");
+  table.require("Geogrid damping ratio", contact.geogrid_damping_ratio, damping_ratio,
+                "The same between a stone and a rib, on their reduced mass. [-]");
+}
+
+void declare_lattice(ParameterTable& table, GeogridParameters& geogrid)
+{
+  table.require("Apertures along", geogrid.apertures_along, {1, 1000, true},
+                "Number of apertures in the direction of the pull. [-]");
+  table.require("Apertures across", geogrid.apertures_across, {1, 1000, true},
+                "Number of apertures across the box. [-]");
+  table.require("Overhang", geogrid.overhang, not_negative,
+                "Distance of the clamped front rib outside the box from the front wall. [m]");
+  table.require("Pitch along", geogrid.pitch_along, positive,
+                "Distance of the centre lines of two transverse ribs. [m]");
+  table.require("Pitch across", geogrid.pitch_across, positive,
+                "Distance of the centre lines of two longitudinal ribs. [m]");
+  table.require("Rib width", geogrid.rib_width, positive,
+                "Width of a rib in the plane of the geogrid. [m]");
+  table.require("Rib thickness", geogrid.rib_thickness, positive,
+                "Thickness of a rib, out of plane. [m]");
+  table.require("Edge rounding", geogrid.edge_rounding, not_negative,
+                "Radius of the rounded edges of a rib, at most half its thickness. [m]");
+}
+
+void declare_geogrid(ParameterTable& table, GeogridParameters& geogrid)
+{
+  table.open_section("Geogrid");
+  table.require("Rigid", geogrid.rigid,
+                "Prescribe every freedom, so that the geogrid moves as one rigid body.");
+  table.require_choice("Placement", geogrid.placement, {"flattened", "not flattened"},
+                       "A plate flattens the surface below the geogrid first, or the stones in the "
+                       "way of the ribs are removed.");
+  declare_lattice(table, geogrid);
+  table.require("Youngs modulus", geogrid.youngs_modulus, positive,
+                "Young's modulus of the ribs, tension along the rib. [Pa]");
+  table.require("Poisson ratio", geogrid.poisson_ratio, {-1, 0.5, false},
+                "Poisson's ratio of the ribs. [-]");
+  table.require("Density", geogrid.density, positive, "Density of the ribs. [kg/m3]");
+  table.offer("Elements per rib", geogrid.elements_per_rib, 8, {1, 1000, true},
+              "Beam elements between two junctions. [-]");
+  table.require("Mass damping", geogrid.mass_damping, not_negative,
+                "Damping of the ribs' motion: force = mass damping x mass x velocity. [1/s]");
+}
+
+void declare_filling(ParameterTable& table, FillingParameters& filling)
+{
+  table.open_section("Filling");
+  table.offer_seed("Seed", filling.seed,
+                   "Seed of the order, places and attitudes of the stones in the hopper. [-]");
+  table.require("Drop height", filling.drop_height, not_negative,
+                "Clear height between the surface and the lowest new stone. [m]");
+  table.require("Plate speed", filling.plate_speed, positive,
+                "Speed of the flattening plate. [m/s]");
+  table.require("Plate force limit", filling.plate_force_limit, positive,
+                "The flattening plate stops pressing at this force. [N]");
+  table.require("Local damping", filling.local_damping, {0, 1},
+                "Share of the unbalanced force taken from stones in contact until the pull starts "
+                "(Cundall's local damping), so that they settle sooner. [-]");
+  table.require("Kinetic energy ratio", filling.kinetic_energy_ratio, positive,
+                "Settled, ready for the pull, when the kinetic energy is below this share of total "
+                "weight x mean stone size; ten times as much is enough between two pours. [-]");
+  table.require(
+      "Settling time limit", filling.settling_time_limit, positive,
+      "A settling stage ends after this simulated time at the latest, with a warning. [s]");
+}
+
+void declare_loading(ParameterTable& table, PullOutParameters& parameters)
+{
+  table.open_section("Surcharge");
+  table.require_choice("Kind", parameters.surcharge.kind, {"spheres", "plate"},
+                       "Heavy spheres of this weight together, or a plate that keeps the force "
+                       "and moves with at most Filling/Plate speed.");
+  table.require(
+      "Force", parameters.surcharge.force, not_negative,
+      "Load on top: total weight of the heavy spheres, or force of the plate; 0: none. [N]");
+  table.require("Sphere radius", parameters.surcharge.sphere_radius, not_negative,
+                "Radius of the heavy spheres. [m]");
+
+  table.open_section("Pull");
+  table.require("Speed", parameters.pull.speed, positive,
+                "Speed of the front edge of the geogrid. [m/s]");
+  table.require("Distance", parameters.pull.distance, positive,
+                "Displacement of the front edge at the end. [m]");
+  table.require("Ramp time", parameters.pull.ramp_time, not_negative,
+                "Time from rest to full speed. [s]");
+}
+
+void declare_numerics(ParameterTable& table, PullOutParameters& parameters)
+{
+  declare_time(table, parameters.time);
+
+  table.open_section("Output");
+  table.offer("Records", parameters.output.records, 500, at_least_one,
+              "Rows of history.csv during the pull. [-]");
+  table.offer("Field frames", parameters.output.field_frames, 50, not_negative,
+              "Frames for ParaView during the pull. [-]");
+  table.offer("Report", parameters.output.report, true, "Draw the figures at the end of the run.");
+}
+} // namespace
+
+void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
+{
+  table.open_section("");
+  table.require("Gravity", parameters.gravity, not_negative,
+                "Acceleration of gravity, downwards along z. [m/s2]");
+  declare_stones(table, parameters.stones);
+  declare_box(table, parameters.box);
+  declare_contact(table, parameters.contact);
+  declare_geogrid(table, parameters.geogrid);
+  declare_filling(table, parameters.filling);
+  declare_loading(table, parameters);
+  declare_numerics(table, parameters);
+}
+} // namespace interlock::coupling

@@ -1,0 +1,106 @@
+#include "coupling/stones/stone_library.h"
+
+#include "dem/generator/clump_generator.h"
+#include "dem/input_error.h"
+#include "dem/stones/stone_size.h"
+#include "dem/stones/synthetic_stone.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace interlock::coupling
+{
+namespace
+{
+struct NamedMesh {
+  std::string name;
+  dem::TriangleMesh mesh;
+};
+
+std::vector<NamedMesh> read_scans(const StoneParameters& parameters)
+{
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(parameters.folder)) {
+    std::string type = entry.path().extension().string();
+    std::transform(type.begin(), type.end(), type.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    if (type == ".stl" || type == ".ply" || type == ".obj") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<NamedMesh> meshes;
+  for (const std::filesystem::path& file : files)
+    meshes.push_back(
+        {file.stem().string(), dem::read_stone_mesh(file.string(), parameters.length_unit)});
+  return meshes;
+}
+
+std::vector<NamedMesh> synthetic(const StoneParameters& parameters)
+{
+  std::vector<NamedMesh> meshes;
+  for (dem::TriangleMesh& mesh : dem::make_stones(parameters.count, parameters.seed))
+    meshes.push_back({"stone_" + std::to_string(meshes.size() + 1), std::move(mesh)});
+  return meshes;
+}
+
+dem::MassScheme mass_scheme(const std::string& name)
+{
+  if (name == "uniform") return dem::MassScheme::uniform;
+  if (name == "equal-mass") return dem::MassScheme::equal_mass;
+  return dem::MassScheme::mesh;
+}
+
+Stone make_stone(const dem::TriangleMesh& mesh, const dem::ClumpParameters& parameters)
+{
+  dem::ClumpReport report;
+  Stone stone;
+  stone.shape = dem::make_clump(mesh, parameters, &report);
+  stone.axes = report.rotation;
+  stone.centre = report.rotation.conjugate() * (dem::mass_properties(mesh).centre - report.origin);
+  const dem::StoneSize size = dem::stone_size(mesh);
+  stone.elongation = size.elongation();
+  stone.longest = size.longest;
+  return stone;
+}
+} // namespace
+
+std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor)
+{
+  const std::vector<NamedMesh> meshes =
+      parameters.folder.empty() ? synthetic(parameters) : read_scans(parameters);
+
+  dem::ClumpParameters clump;
+  clump.d_min = parameters.d_min;
+  clump.r_min = parameters.r_min;
+  clump.p_max = parameters.p_max;
+  clump.max_spheres = parameters.max_spheres;
+  clump.mass_scheme = mass_scheme(parameters.mass_properties);
+
+  std::vector<Stone> stones;
+  for (const NamedMesh& scan : meshes) {
+    if (monitor.progress)
+      monitor.progress({"stones", static_cast<double>(stones.size()) / meshes.size(), 0, 0});
+    clump.seed = parameters.seed + stones.size();
+    try {
+      stones.push_back(make_stone(scan.mesh, clump));
+    } catch (const InputError& error) {
+      throw InputError("Stone " + scan.name + ": " + error.what());
+    }
+    stones.back().shape.name = scan.name;
+  }
+  return stones;
+}
+
+std::vector<dem::ClumpShape> make_stone_shapes(const StoneParameters& parameters,
+                                               const Monitor& monitor)
+{
+  std::vector<dem::ClumpShape> shapes;
+  for (Stone& stone : make_stones(parameters, monitor)) shapes.push_back(std::move(stone.shape));
+  return shapes;
+}
+
+BodyPose body_pose(const Stone& stone, const dem::Vector3& place, const dem::Quaternion& attitude)
+{
+  const dem::Quaternion orientation = (attitude * stone.axes).normalized();
+  return {place - orientation * stone.centre, orientation};
+}
+} // namespace interlock::coupling

@@ -1,0 +1,40 @@
+// The stones of a run as clump shapes: from scans in a folder, or synthetic.
+#pragma once
+
+#include "coupling/output/monitor.h"
+#include "coupling/parameters/stone_parameters.h"
+#include "dem/bodies/clump_shape.h"
+
+#include <vector>
+
+namespace interlock::coupling
+{
+// A clump and what its stone is, whichever mass properties the clump was given. The body frame of a
+// clump depends on them (dem/bodies/clump_shape.h): another centre of mass, other principal axes.
+// The centre and the axes of the scan do not.
+struct Stone {
+  dem::ClumpShape shape;
+  dem::Vector3 centre;   // of volume of the closed surface, body frame of the clump [m]
+  dem::Quaternion axes;  // of the clump, body to scan: x_scan = axes * (x_body - centre), where
+                         // the origin of x_scan is the centre of volume
+  double elongation = 0; // I/L of Zingg (1935): 1 for a cube, small for a rod (stone_size.h) [-]
+  double longest = 0;    // L [m]
+};
+
+// One stone a file, in the order of the files' names, or the synthetic batch. Throws InputError
+// when a file is not a closed stone or a clump cannot be made of it.
+std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor);
+
+// The shapes alone.
+std::vector<dem::ClumpShape> make_stone_shapes(const StoneParameters& parameters,
+                                               const Monitor& monitor);
+
+// Where the centre of mass of the clump lies [m] and how it is turned (body to world) when the
+// centre of its stone is at `place` [m] and the scan is turned by `attitude` (scan to world): the
+// member spheres lie at the same places whichever mass properties the clump has.
+struct BodyPose {
+  dem::Vector3 position;
+  dem::Quaternion orientation;
+};
+BodyPose body_pose(const Stone& stone, const dem::Vector3& place, const dem::Quaternion& attitude);
+} // namespace interlock::coupling

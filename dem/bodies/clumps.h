@@ -1,0 +1,84 @@
+// The state of all clumps: rigid bodies that share shapes. World frame, SI units.
+#pragma once
+
+#include "dem/bodies/clump_shape.h"
+#include "dem/bodies/component_arrays.h"
+
+#include <cstdint>
+
+namespace interlock::dem
+{
+// One array a quantity, one contiguous row a component; index = clump. Velocities and angular
+// momenta live at half steps (leapfrog): after a kick they belong to the middle of the step that
+// the next drift makes.
+class Clumps
+{
+public:
+  explicit Clumps(std::vector<ClumpShape> shapes);
+
+  // Adds a clump at rest and returns its index. `density` in kg/m3. `id` is kept for life; indices
+  // shift when clumps are removed.
+  int add(int shape, double density, const Vector3& position, const Quaternion& orientation);
+
+  // Adds one more shape (for example the sphere of a surcharge) and returns its index.
+  int add_shape(ClumpShape shape);
+
+  // Removes the clumps with remove[i] true; the others keep their order. Returns for every old
+  // index the new one, or -1.
+  std::vector<int> remove(const std::vector<bool>& remove);
+
+  int size() const { return position.size(); }
+  const ClumpShape& shape_of(int clump) const { return shapes_[shape[clump]]; }
+  const std::vector<ClumpShape>& shapes() const { return shapes_; }
+  double bounding_radius(int clump) const { return bounding_radius_[shape[clump]]; } // [m]
+  // Largest distance of a member's centre from the centre of mass [m].
+  double member_reach(int clump) const { return member_reach_[clump]; }
+  const ScalarField& member_reach() const { return member_reach_; }
+
+  // Centre of member sphere `a` from the clump's centre of mass, world axes [m].
+  Vector3 member_offset(int clump, int a) const
+  {
+    return orientation[clump]._transformVector(shape_of(clump).spheres[a].centre);
+  }
+  // World spin from the angular momentum at the present attitude [rad/s].
+  Vector3 spin_of(int clump, const Vector3& momentum) const;
+
+  // Adds dt times force and torque to the momenta.
+  void kick(int clump, double dt, const Vector3& force, const Vector3& torque);
+
+  // Moves one clump by dt: position with its velocity, attitude with advance_attitude()
+  // (rigid_motion.h).
+  void drift(int clump, double dt);
+  // The same for every clump; those with `held`[i] = 1 stay as they are (0: move).
+  void drift_all(double dt, const ScalarField& held);
+
+  std::int64_t n_spheres() const; // of all clumps together
+
+  std::vector<int> shape;
+  std::vector<std::int64_t> id;
+  ScalarField mass{one};                        // [kg]
+  ScalarField inverse_mass{one};                // [1/kg]
+  VectorField inertia{Vector3::Ones()};         // principal, body frame [kg m2]
+  VectorField inverse_inertia{Vector3::Ones()}; // [1/(kg m2)]
+  VectorField position;                         // of the centre of mass [m]
+  QuaternionField orientation;                  // body to world
+  VectorField velocity;                         // [m/s]
+  VectorField angular_momentum;                 // [kg m2/s]
+  // Of the last drift: what the contacts of a sub-step saw move. The momenta may have been kicked
+  // since.
+  VectorField drift_velocity, spin; // [m/s], [rad/s]
+  // Mean over the last whole step: what the contacts of the step saw move. Equal to that of the
+  // drift, unless the step was made of several drifts and the caller wrote their mean here.
+  VectorField step_velocity, step_spin;
+  VectorField force;  // of this step, without gravity [N]
+  VectorField torque; // about the centre of mass [N m]
+
+private:
+  inline static const Eigen::Matrix<double, 1, 1> one = Eigen::Matrix<double, 1, 1>::Ones();
+
+  std::vector<ClumpShape> shapes_;
+  std::vector<double> bounding_radius_; // of the shapes
+  ScalarField member_reach_;
+  std::int64_t next_id_ = 0;
+};
+} // namespace interlock::dem

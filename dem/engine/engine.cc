@@ -1,0 +1,268 @@
+#include "dem/engine/engine.h"
+
+#include <chrono>
+
+namespace interlock::dem
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::time_point from, Clock::time_point to)
+{
+  return std::chrono::duration<double>(to - from).count();
+}
+} // namespace
+
+Engine::Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on_stone,
+               double gravity)
+    : clumps_(std::move(shapes)), stone_on_stone_(stone_on_stone), gravity_(gravity)
+{
+}
+
+int Engine::add_clump(int shape, double density, const Vector3& position,
+                      const Quaternion& orientation, const Vector3& velocity)
+{
+  const int i = clumps_.add(shape, density, position, orientation);
+  clumps_.velocity[i] = clumps_.drift_velocity[i] = clumps_.step_velocity[i] = velocity;
+  inserted_ += body_energy(i);
+  lists_.invalidate();
+  return i;
+}
+
+std::vector<int> Engine::remove_clumps(const std::vector<bool>& remove)
+{
+  for (int i = 0; i < clumps_.size(); ++i)
+    if (remove[i]) inserted_ -= body_energy(i);
+  for (const SphereContact& c : sphere_contacts())
+    if (remove[c.i] || remove[c.j]) inserted_ -= elastic_energy(c);
+  for (const WallContact& c : wall_contacts())
+    if (remove[c.i]) inserted_ -= elastic_energy(c);
+  for (const MeshContact& c : mesh_contacts_.contacts())
+    if (remove[c.i]) inserted_ -= MeshContacts::elastic_energy(c, mesh_walls_[c.wall].contact);
+  const std::vector<int> new_index = clumps_.remove(remove);
+  lists_.renumber_clumps(new_index);
+  mesh_contacts_.renumber_clumps(new_index);
+  rolling_.renumber_clumps(new_index);
+  return new_index;
+}
+
+int Engine::add_wall(const Wall& wall)
+{
+  walls_.push_back(wall);
+  lists_.invalidate();
+  return static_cast<int>(walls_.size()) - 1;
+}
+
+void Engine::replace_walls(int first, const std::vector<Wall>& walls)
+{
+  for (const WallContact& c : wall_contacts())
+    if (c.wall >= first) inserted_ -= elastic_energy(c);
+  lists_.forget_walls(first);
+  controls_.erase(std::remove_if(controls_.begin(), controls_.end(),
+                                 [first](const auto& c) { return c.first >= first; }),
+                  controls_.end());
+  rolling_.forget_walls(1, first);
+  walls_.resize(first);
+  for (const Wall& wall : walls) walls_.push_back(wall);
+  // What the new walls store from the start was put in by nobody's work: book it.
+  for (int i = 0; i < clumps_.size(); ++i)
+    for (const Wall& wall : walls) {
+      const std::vector<Sphere>& spheres = clumps_.shape_of(i).spheres;
+      for (std::size_t a = 0; a < spheres.size(); ++a) {
+        const Vector3 x = clumps_.position[i] + clumps_.member_offset(i, a);
+        const double depth = spheres[a].radius - (x - wall.nearest_point(x)).norm();
+        if (depth > 0) inserted_ += stored_energy(wall.contact, depth, spheres[a].radius, 0, {});
+      }
+    }
+}
+
+void Engine::compute_forces(double dt)
+{
+  const auto start = Clock::now();
+  lists_.update(clumps_, walls_, dt);
+  const auto listed = Clock::now();
+  wrenches_.clear(clumps_.size());
+  contact_energy_.elastic = 0;
+  ContactLanes& pairs = lists_.pair_lanes();
+  evaluate_pairs(clumps_, stone_on_stone_, dt, pairs);
+  n_touching_ = add_pair_forces(pairs, wrenches_, contact_energy_);
+  ContactLanes& at_walls = lists_.wall_lanes();
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    Wall& wall = walls_[w];
+    const WallSegment segment = lists_.wall_segments()[w];
+    const Vector3 before = wall.force;
+    evaluate_wall(clumps_, wall, dt, segment, at_walls);
+    add_wall_forces(at_walls, segment, wrenches_, wall, contact_energy_);
+    // A leapfrog kick does the work of the mean of the forces at both ends of a step.
+    wall_work_ -= 0.5 * dt * (before + wall.force).dot(wall.velocity);
+  }
+  wrenches_.write(clumps_.force, clumps_.torque);
+  if (!mesh_walls_.empty()) {
+    mesh_contacts_.update_list(clumps_, mesh_walls_);
+    mesh_contacts_.evaluate(clumps_, mesh_walls_, dt, contact_energy_);
+  }
+  if (rolling_properties_.friction > 0) resist_rolling(dt);
+  profile_.lists += seconds(start, listed);
+  profile_.contacts += seconds(listed, Clock::now());
+}
+
+void Engine::resist_rolling(double dt)
+{
+  std::vector<RollingContact> contacts;
+  append_rolling(sphere_contacts(), clumps_, stone_on_stone_.normal_stiffness, rolling_properties_,
+                 contacts);
+  append_rolling(wall_contacts(), clumps_, walls_, rolling_properties_, contacts);
+  append_rolling(mesh_contacts_.contacts(), clumps_, mesh_walls_, rolling_properties_, contacts);
+  rolling_.evaluate(std::move(contacts), clumps_, mesh_walls_, dt, contact_energy_);
+}
+
+void Engine::control_wall(int wall, const ForceControl& control)
+{
+  check(control);
+  controls_.emplace_back(wall, control);
+}
+
+int Engine::add_mesh_wall(const MeshWall& wall)
+{
+  mesh_walls_.push_back(wall);
+  // A look at the new wall alone, for what it stores at once.
+  MeshContacts look;
+  std::vector<MeshWall> alone = {wall};
+  Clumps clumps = clumps_;
+  ContactEnergy stored;
+  look.update_list(clumps, alone);
+  look.evaluate(clumps, alone, 0, stored);
+  inserted_ += stored.elastic;
+  mesh_contacts_.invalidate();
+  return static_cast<int>(mesh_walls_.size()) - 1;
+}
+
+void Engine::kick_all(double dt, const VectorField* other_force, const VectorField* other_torque)
+{
+  const auto start = Clock::now();
+  if (local_damping_ > 0) damp_locally(dt, other_force, other_torque);
+  const int n = clumps_.position.padded_size();
+  const double* __restrict inverse_mass = clumps_.inverse_mass.row(0);
+  for (int c = 0; c < 3; ++c) {
+    double* __restrict v = clumps_.velocity.row(c), * __restrict l =
+                                                        clumps_.angular_momentum.row(c);
+    const double* __restrict f = clumps_.force.row(c), * __restrict t = clumps_.torque.row(c);
+    const double fall = c == 2 ? dt * gravity_ : 0;
+#pragma omp simd
+    for (int i = 0; i < n; ++i) {
+      v[i] += dt * inverse_mass[i] * f[i] - fall;
+      l[i] += dt * t[i];
+    }
+  }
+  profile_.integration += seconds(start, Clock::now());
+}
+
+// Takes the damping off the forces and torques before they are kicked in. Signs and work are those
+// of the velocity before the kick.
+void Engine::damp_locally(double dt, const VectorField* other_force,
+                          const VectorField* other_torque)
+{
+  const Vector3 zero = Vector3::Zero();
+  for (int i = 0; i < clumps_.size(); ++i) {
+    const Vector3 f = clumps_.force[i] + (other_force ? Vector3((*other_force)[i]) : zero);
+    if (f == zero) continue;
+    const Vector3 t = clumps_.torque[i] + (other_torque ? Vector3((*other_torque)[i]) : zero);
+    const Vector3 weight(0, 0, clumps_.mass[i] * gravity_);
+    const Vector3 v = clumps_.velocity[i], w = clumps_.spin[i];
+    const Vector3 force = local_damping_ * (f - weight).cwiseAbs().cwiseProduct(v.cwiseSign());
+    const Vector3 torque = local_damping_ * t.cwiseAbs().cwiseProduct(w.cwiseSign());
+    clumps_.force[i] -= force;
+    clumps_.torque[i] -= torque;
+    const Vector3 mean_v =
+        v + 0.5 * dt * (clumps_.inverse_mass[i] * clumps_.force[i] - gravity_ * Vector3::UnitZ());
+    const Vector3 mean_w =
+        clumps_.spin_of(i, clumps_.angular_momentum[i] + 0.5 * dt * clumps_.torque[i]);
+    local_damping_loss_ += dt * (force.dot(mean_v) + torque.dot(mean_w));
+  }
+}
+
+void Engine::drift_all(double dt, const ScalarField* held)
+{
+  const auto start = Clock::now();
+  nothing_held_.resize(clumps_.size());
+  clumps_.drift_all(dt, held ? *held : nothing_held_);
+  profile_.integration += seconds(start, Clock::now());
+}
+
+void Engine::move_walls(double dt)
+{
+  for (auto& [w, control] : controls_) {
+    Wall& wall = walls_[w];
+    control_force(control, contact_response(wall_contacts(), w, wall.contact, clumps_, dt), wall);
+  }
+  for (Wall& wall : walls_) wall.corner += dt * wall.velocity;
+  for (MeshWall& wall : mesh_walls_) wall.move(dt);
+}
+
+void Engine::step(double dt)
+{
+  compute_forces(dt);
+  kick_all(dt);
+  drift_all(dt);
+  move_walls(dt);
+}
+
+StepProfile Engine::profile() const
+{
+  StepProfile profile = profile_;
+  profile.counts = lists_.counts();
+  profile.broad_phase = lists_.broad_phase_time() - broad_phase_before_;
+  profile.lists -= profile.broad_phase;
+  return profile;
+}
+
+void Engine::reset_profile()
+{
+  profile_ = StepProfile();
+  broad_phase_before_ = lists_.broad_phase_time();
+}
+
+double Engine::largest_overlap() const
+{
+  double largest = std::max(dem::largest_overlap(lists_.pair_lanes()),
+                            dem::largest_overlap(lists_.wall_lanes()));
+  for (const MeshContact& c : mesh_contacts_.contacts()) largest = std::max(largest, c.depth);
+  return largest;
+}
+
+double Engine::body_energy(int i) const
+{
+  const Vector3 l = clumps_.angular_momentum[i];
+  return 0.5 * clumps_.mass[i] * clumps_.velocity[i].squaredNorm() +
+         0.5 * l.dot(clumps_.spin_of(i, l)) + clumps_.mass[i] * gravity_ * clumps_.position[i].z();
+}
+
+EngineEnergy Engine::energy(double dt) const
+{
+  EngineEnergy e;
+  for (int i = 0; i < clumps_.size(); ++i) {
+    // Velocities half a step on, so that they belong to the present positions.
+    const Vector3 v = clumps_.velocity[i] +
+                      0.5 * dt * (clumps_.force[i] / clumps_.mass[i] - gravity_ * Vector3::UnitZ());
+    const Vector3 l = clumps_.angular_momentum[i] + 0.5 * dt * clumps_.torque[i];
+    e.kinetic += 0.5 * clumps_.mass[i] * v.squaredNorm() + 0.5 * l.dot(clumps_.spin_of(i, l));
+    e.gravitational += clumps_.mass[i] * gravity_ * clumps_.position[i].z();
+  }
+  e.contact = contact_energy_;
+  e.local_damping = local_damping_loss_;
+  e.wall_work = wall_work_;
+  for (const MeshWall& wall : mesh_walls_) e.wall_work += wall.work();
+  e.inserted = inserted_;
+  return e;
+}
+
+double Engine::kinetic_energy() const
+{
+  double kinetic = 0;
+  for (int i = 0; i < clumps_.size(); ++i)
+    kinetic += 0.5 * clumps_.mass[i] * clumps_.velocity[i].squaredNorm() +
+               0.5 * clumps_.angular_momentum[i].dot(clumps_.spin[i]);
+  return kinetic;
+}
+} // namespace interlock::dem

@@ -1,0 +1,171 @@
+// The DEM engine: clumps, walls and their contacts, advanced by leapfrog.
+//
+// The caller owns the loop. One step without ribs reads
+//     engine.compute_forces(dt);   // contacts at the present poses
+//     engine.kick_all(dt);
+//     engine.drift_all(dt);
+//     engine.move_walls(dt);
+// and with ribs the kick of the outer forces stays, while clumps near ribs drift in sub-steps
+// (coupling/loop/staggered_step.h). How it works: docs/theory/engine.md.
+#pragma once
+
+#include "dem/contacts/contact_views.h"
+#include "dem/engine/rolling_resistance.h"
+#include "dem/lists/neighbour_lists.h"
+#include "dem/ribs/rib_contacts.h"
+#include "dem/walls/force_control.h"
+#include "dem/walls/mesh_contacts.h"
+
+#include <optional>
+
+namespace interlock::dem
+{
+// Energies of the clumps and of their contacts with each other and with walls [J].
+struct EngineEnergy {
+  double kinetic = 0;       // at the present whole step
+  double gravitational = 0; // m g z, zero at z = 0
+  ContactEnergy contact;    // elastic: now; friction, damping: since the beginning
+  double local_damping = 0; // dissipated by local damping, since the beginning
+  double wall_work = 0;     // done by moving walls on clumps, since the beginning
+  double inserted = 0; // kinetic + gravitational energy of clumps when they were added, and, with
+                       // negative sign, everything that went when clumps were removed
+};
+
+// The step at which the explicit integration would become unstable for the present contacts, and
+// the clump that limits it.
+struct StableStep {
+  double step = 0; // [s]
+  std::int64_t clump_id = -1;
+  double mass = 0;           // of that clump [kg]
+  int contacts = 0;          // of that clump
+  double stiffness = 0;      // mean of its contacts [N/m]
+  double rotation_share = 0; // of its mobility at the contacts, the rest is translation [-]
+};
+
+// Time spent in the parts of the steps since the last reset [s].
+struct StepProfile {
+  double broad_phase = 0; // clump pairs
+  double lists = 0;       // sphere pairs
+  double contacts = 0;    // laws and sums
+  double integration = 0;
+  ListCounts counts; // since the beginning
+};
+
+class Engine
+{
+public:
+  // `gravity` acts along -z [m/s2]; `stone_on_stone` holds the pair properties of stones.
+  Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on_stone, double gravity);
+
+  Clumps& clumps() { return clumps_; }
+  const Clumps& clumps() const { return clumps_; }
+  std::vector<Wall>& walls() { return walls_; }
+  const std::vector<Wall>& walls() const { return walls_; }
+  double gravity() const { return gravity_; }
+  // Pair properties of stones; changing them between steps is allowed.
+  ContactProperties& stone_contact() { return stone_on_stone_; }
+  const ContactProperties& stone_contact() const { return stone_on_stone_; }
+
+  int add_clump(int shape, double density, const Vector3& position, const Quaternion& orientation,
+                const Vector3& velocity = Vector3::Zero());
+  // Removes clumps and books their energy, that of their contacts included. Returns old to new
+  // index.
+  std::vector<int> remove_clumps(const std::vector<bool>& remove);
+  int add_wall(const Wall& wall);
+  // Replaces all walls from index `first` on; their contacts start anew.
+  void replace_walls(int first, const std::vector<Wall>& walls);
+
+  // From now on the wall keeps a force: every move_walls sets its velocity along the axis of the
+  // control (force_control.h, linear contacts). Throws InputError when the control is not usable.
+  void control_wall(int wall, const ForceControl& control);
+
+  // Walls of triangles (theory/walls.md). What a new one stores from the start, where it overlaps
+  // clumps, is booked as inserted. Change their motion between compute_forces and move_walls.
+  int add_mesh_wall(const MeshWall& wall);
+  std::vector<MeshWall>& mesh_walls() { return mesh_walls_; }
+  const std::vector<MeshWall>& mesh_walls() const { return mesh_walls_; }
+  const std::vector<MeshContact>& mesh_contacts() const { return mesh_contacts_.contacts(); }
+
+  // Rolling resistance at every contact but those with ribs; meant for single spheres. Linear
+  // contact model only.
+  void set_rolling(const RollingProperties& rolling) { rolling_properties_ = rolling; }
+
+  // Contact forces and torques (without gravity) at the present poses, in clumps().force and
+  // .torque. `dt` is the step over which tangential springs advance [s].
+  void compute_forces(double dt);
+
+  // Adds the impulse of the computed forces and of gravity to every clump. `other_force` and
+  // `other_torque` (per clump, world, about the centre of mass [N], [N m]) act besides and are
+  // added elsewhere: local damping goes by the whole unbalanced force.
+  void kick_all(double dt, const VectorField* other_force = nullptr,
+                const VectorField* other_torque = nullptr);
+  // Moves every clump, except those with (*held)[i] = 1.
+  void drift_all(double dt, const ScalarField* held = nullptr);
+  // Local damping (Cundall 1987) of clumps that touch something, to settle a packing faster: each
+  // component of the unbalanced force and torque is lowered by this share of its size where it
+  // speeds the clump up, and raised where it slows it down. 0 switches it off [-].
+  void set_local_damping(double share) { local_damping_ = share; }
+  void move_walls(double dt);
+
+  // One whole step of everything, when there are no ribs.
+  void step(double dt);
+
+  // At the present positions and forces (call between compute_forces and kick), for velocities that
+  // are half a step of `dt` behind.
+  EngineEnergy energy(double dt) const;
+  // Of all clumps with the half-step velocities: cheap, for settling criteria [J].
+  double kinetic_energy() const;
+
+  // Bound 2/omega on the stable step from the present contacts: of the clumps, the largest sum over
+  // their contacts of k times the largest mobility at the contact, 1/m + the largest eigenvalue of
+  // [r]x I^-1 [r]x^T (r: arm, k: the larger of k_n and k_t), doubled because the partner moves too.
+  // A norm of a sum is at most the sum of the norms, so this is on the safe side. Dashpots are left
+  // to the safety factor. `ribs` adds the contacts with ribs.
+  StableStep stable_step(const RibContacts* ribs = nullptr) const;
+  // The same before there are contacts, for the shape that would set it if it had `n_contacts`
+  // contacts where its surface is most mobile.
+  StableStep expected_stable_step(const std::vector<double>& densities, int n_contacts) const;
+
+  // Of two clumps sorted by (i, j, a, b), and at walls sorted by (wall, i, a); those about to touch
+  // are among them.
+  std::vector<SphereContact> sphere_contacts() const;
+  std::vector<WallContact> wall_contacts() const;
+  // Counts, and the largest overlap of stones with stones and walls [m], of the last
+  // compute_forces.
+  int n_touching_spheres() const { return n_touching_; }
+  double largest_overlap() const;
+
+  // Brute force over all pairs of member spheres: number of overlapping pairs (for tests).
+  int count_overlaps_brute_force() const;
+
+  void set_list_settings(const ListSettings& settings) { lists_.set(settings); }
+  StepProfile profile() const;
+  void reset_profile();
+
+private:
+  double elastic_energy(const SphereContact& contact) const;
+  double elastic_energy(const WallContact& contact) const;
+  double body_energy(int clump) const;
+  void resist_rolling(double dt);
+  void damp_locally(double dt, const VectorField* other_force, const VectorField* other_torque);
+
+  Clumps clumps_;
+  std::vector<Wall> walls_;
+  std::vector<std::pair<int, ForceControl>> controls_; // by wall
+  std::vector<MeshWall> mesh_walls_;
+  NeighbourLists lists_;
+  WrenchSums wrenches_;
+  MeshContacts mesh_contacts_;
+  RollingProperties rolling_properties_;
+  RollingResistance rolling_;
+  ContactProperties stone_on_stone_;
+  double gravity_;
+  ContactEnergy contact_energy_;
+  double local_damping_ = 0;
+  double local_damping_loss_ = 0, wall_work_ = 0, inserted_ = 0;
+  int n_touching_ = 0;
+  ScalarField nothing_held_;
+  StepProfile profile_;
+  double broad_phase_before_ = 0;
+};
+} // namespace interlock::dem

@@ -1,0 +1,54 @@
+// How contacts of the same two bodies share one stiffness (docs/theory/engine.md).
+//
+// With overlaps d_c the shared contact is as deep as the smooth maximum
+//     M = sum d_c^p / sum d_c^(p-1),
+// which is d for any number of equal overlaps d, and nearly the deepest one otherwise. The
+// potential k M^2/2 gives contact c the force k M g_c, g_c = dM/dd_c; the g_c of a pair sum to 1
+// when overlaps are equal, and sum(g_c d_c) = M always.
+#include "dem/lanes/contact_lanes.h"
+
+namespace interlock::dem
+{
+namespace
+{
+// p: sharp enough for restitution and duration to agree within 3 % between 20 and 500 spheres; the
+// sharper, the stiffer is rocking between contacts, about p stiffnesses.
+constexpr double exponent = 40;
+
+struct Powers {
+  double low, high; // x^38, x^39
+};
+Powers powers(double x)
+{
+  const double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x16 = x8 * x8, x32 = x16 * x16;
+  const double low = x32 * x4 * x2;
+  return {low, low * x};
+}
+} // namespace
+
+void share_contacts(int begin, int end, ContactLanes& lanes)
+{
+  const double* overlap = lanes.elastic.row(0);
+  for (int k = begin; k < end;) {
+    int last = k;
+    double deepest = 0;
+    for (; last < end && lanes.i[last] == lanes.i[k] && lanes.j[last] == lanes.j[k]; ++last)
+      deepest = std::max(deepest, overlap[last]);
+    double upper = 0, lower = 0; // sums of x^p and x^(p-1), x: overlap over the deepest one
+    for (int c = k; c < last && deepest > 0; ++c) {
+      const double x = std::max(0., overlap[c]) / deepest, high = powers(x).high;
+      lower += high;
+      upper += high * x;
+    }
+    for (; k < last; ++k) {
+      lanes.shared_depth[k] = lower > 0 ? deepest * upper / lower : 0;
+      lanes.gradient[k] = 1;
+      if (overlap[k] <= 0) continue;
+      const double x = overlap[k] / deepest;
+      const Powers power = powers(x);
+      lanes.gradient[k] =
+          (exponent * power.high - upper / lower * (exponent - 1) * power.low) / lower;
+    }
+  }
+}
+} // namespace interlock::dem

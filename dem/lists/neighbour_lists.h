@@ -1,0 +1,110 @@
+// Nested neighbour lists: clump pairs, sphere pairs, sphere pairs about to touch. Each level is a
+// filter of the one above and proves its own validity (docs/theory/engine.md). The step touches the
+// inner level only. Lists never change a result: an entry that does not touch contributes exact
+// zero.
+#pragma once
+
+#include "dem/lanes/contact_lanes.h"
+#include "dem/lists/list_reference.h"
+#include "dem/lists/sphere_pairs.h"
+
+namespace interlock::dem
+{
+// Skins of clumps at rest [m]; 0: chosen from the size of the clumps and adapted to the number of
+// candidates. They set the speed and nothing else.
+struct ListSettings {
+  double inner_skin = 0;
+  double middle_skin = 0;
+};
+
+// How often each level was built, and its present size.
+struct ListCounts {
+  std::int64_t outer_builds = 0, middle_builds = 0, inner_builds = 0;
+  std::int64_t clump_pairs = 0, candidates = 0, lanes = 0;
+};
+
+class NeighbourLists
+{
+public:
+  void set(const ListSettings& settings);
+
+  // Makes the lanes complete for the present poses; rebuilds only what has expired. `time_step`
+  // chooses skins that last some tens of steps at the present speeds [s].
+  void update(const Clumps& clumps, const std::vector<Wall>& walls, double time_step);
+
+  // Forces a full rebuild at the next update, keeping the histories.
+  void invalidate() { valid_ = false; }
+  // After clumps were removed: drops their contacts and renumbers the others.
+  void renumber_clumps(const std::vector<int>& new_index);
+  // After walls were removed or exchanged: drops contacts of walls with index >= first.
+  void forget_walls(int first);
+
+  // Sorted by (i, j, a, b); and by (wall, i, a), one segment for each wall. Forces are summed in
+  // this order, so a clump adds its partners in ascending order.
+  ContactLanes& pair_lanes() { return pairs_; }
+  const ContactLanes& pair_lanes() const { return pairs_; }
+  ContactLanes& wall_lanes() { return wall_lanes_; }
+  const ContactLanes& wall_lanes() const { return wall_lanes_; }
+  const std::vector<WallSegment>& wall_segments() const { return wall_segments_; }
+
+  const ListCounts& counts() const { return counts_; }
+  // Time spent so far on the outer and on the other levels [s].
+  double broad_phase_time() const { return broad_phase_time_; }
+
+private:
+  // Candidates [first, last) of a clump pair.
+  struct ClumpPair {
+    int i, j;
+    int first = 0, last = 0;
+  };
+  // Candidates [first, last) of a clump at a wall.
+  struct WallClump {
+    int i;
+    int first, last;
+  };
+  struct WallCandidates {
+    std::vector<WallClump> clumps;
+    std::vector<NearSpheres> near;       // gap: lower bound at the references
+    Vector3 reference = Vector3::Zero(); // of the corner [m]
+    double skin = 0;                     // middle [m]
+    double inner_skin = 0;
+    Vector3 inner_reference = Vector3::Zero();
+  };
+
+  void choose_sizes(const Clumps& clumps);
+  bool inner_holds(const Clumps& clumps, const std::vector<Wall>& walls);
+  void choose_inner_skins(const Clumps& clumps, const std::vector<Wall>& walls, double dt);
+  bool middle_holds(const std::vector<Wall>& walls) const;
+  void build_outer(const Clumps& clumps, double dt);
+  void build_middle(const Clumps& clumps, const std::vector<Wall>& walls, double dt);
+  void mark(const Clumps& clumps, const std::vector<Wall>& walls, double dt);
+  void walk_clump_pairs(const Clumps& clumps);
+  void walk_walls(const Clumps& clumps, const std::vector<Wall>& walls);
+  void build_pair_lanes(const Clumps& clumps);
+  void build_wall_lanes(const Clumps& clumps, const std::vector<Wall>& walls);
+  void adapt();
+
+  ListSettings settings_;
+  bool valid_ = false;
+  // Smallest and largest skins [m], from the mean bounding radius.
+  double inner_rest_ = 0, inner_most_ = 0, middle_rest_ = 0, middle_most_ = 0, outer_rest_ = 0,
+         outer_most_ = 0;
+  double size_ = 0; // mean bounding radius that the above belong to [m]
+  ListReference outer_, middle_, inner_;
+  ScalarField middle_used_, next_inner_skin_;
+  ScalarField speed_; // bound on the speed of any member centre, at the last build [m/s]
+  std::vector<bool> marked_, wall_marked_;
+
+  std::vector<ClumpPair> clump_pairs_;
+  std::vector<NearSpheres> candidates_, old_candidates_; // gap: lower bound at the references
+  std::vector<WallCandidates> at_walls_;
+  WallCandidates old_at_wall_;
+  SphereWalk walk_;
+
+  std::vector<ContactKey> keys_; // of the lanes being built
+  ContactLanes pairs_, old_pairs_, wall_lanes_, old_wall_lanes_;
+  std::vector<WallSegment> wall_segments_, old_wall_segments_;
+  ListCounts counts_;
+  double broad_phase_time_ = 0;
+};
+} // namespace interlock::dem
