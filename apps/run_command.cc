@@ -5,7 +5,7 @@
 #include "apps/parameter_file.h"
 #include "apps/progress.h"
 #include "apps/report_command.h"
-#include "coupling/output/atomic_file.h"
+#include "coupling/files/atomic_file.h"
 #include "coupling/output/summary.h"
 
 #include <fstream>

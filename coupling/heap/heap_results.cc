@@ -1,7 +1,7 @@
 // Records, files and results of the heap experiment.
 #include "coupling/heap/heap.h"
 #include "coupling/loop/state_hash.h"
-#include "coupling/output/atomic_file.h"
+#include "coupling/files/atomic_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "coupling/laboratory/laboratory.h"
 
-#include "coupling/output/atomic_file.h"
+#include "coupling/files/atomic_file.h"
 #include "coupling/output/lattice_output.h"
 #include "dem/input_error.h"
 #include "fem/gmsh/gmsh_file.h"

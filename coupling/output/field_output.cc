@@ -1,6 +1,6 @@
 #include "coupling/output/field_output.h"
 
-#include "coupling/output/atomic_file.h"
+#include "coupling/files/atomic_file.h"
 
 #include <deal.II/base/hdf5.h>
 

@@ -1,6 +1,6 @@
 #include "coupling/output/summary.h"
 
-#include "coupling/output/atomic_file.h"
+#include "coupling/files/atomic_file.h"
 
 #include <iomanip>
 #include <sstream>

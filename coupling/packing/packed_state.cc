@@ -1,6 +1,6 @@
 #include "coupling/packing/packed_state.h"
 
-#include "coupling/output/compressed_file.h"
+#include "coupling/files/compressed_file.h"
 #include "dem/input_error.h"
 
 #include <nlohmann/json.hpp>

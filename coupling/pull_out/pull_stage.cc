@@ -1,41 +1,15 @@
-// The last stage of the pull-out experiment and its results.
-#include "coupling/loop/state_hash.h"
+#include "coupling/pull_out/protocol.h"
 #include "coupling/pull_out/pull_out.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numeric>
 
 namespace interlock::coupling
 {
 namespace
 {
-std::string sentence(const char* format, double a, double b)
-{
-  char buffer[256];
-  std::snprintf(buffer, sizeof buffer, format, a, b);
-  return buffer;
-}
-
-std::vector<std::string> history_columns()
-{
-  std::vector<std::string> columns = {"time [s]",
-                                      "displacement [m]",
-                                      "pull_force [N]",
-                                      "pull_force_filtered [N]",
-                                      "rear_displacement [m]",
-                                      "largest_axial_force [N]",
-                                      "stone_contacts [-]",
-                                      "rib_contacts [-]",
-                                      "largest_overlap [m]",
-                                      "substeps [-]"};
-  for (const auto& entry : EnergyLedger().entries())
-    columns.push_back("energy_" + entry.first + " [J]");
-  columns.push_back("energy_relative_error [-]");
-  return columns;
-}
-
 // Mean of the last values that lie within `window` of the last position.
 double mean_over_window(const std::vector<double>& position, const std::vector<double>& value,
                         double window)
@@ -48,200 +22,127 @@ double mean_over_window(const std::vector<double>& position, const std::vector<d
   }
   return sum / n;
 }
-} // namespace
-
-// Speed of the clamp: half a cosine from rest to full speed, then constant. A start with a jump
-// would send a wave through the ribs.
-void PullOut::pull(const std::filesystem::path& output)
-{
-  begin_stage("pull");
-  const PullParameters& p = parameters_.pull;
-  warn_of_rib_at_wall();
-  const double duration = p.distance / p.speed + 0.5 * p.ramp_time;
-  History history(output / "history.csv", history_columns());
-  const int n_records = parameters_.output.records, n_frames = parameters_.output.field_frames;
-  int next_record = 0, next_frame = 0;
-  double displacement = 0;
-  pull_start_ = time_;
-  while (true) {
-    const double elapsed = time_ - pull_start_;
-    const double progress = displacement / p.distance;
-    const bool over = displacement >= p.distance;
-    const bool record_now = over || progress * n_records >= next_record;
-    step(progress, record_now ? &ledger_ : nullptr);
-    watch_pull();
-    impulse_ -= loop_->clamp_force().x() * dt_;
-    impulse_time_ += dt_;
-    if (surcharge_plate_ >= 0) plate_impulse_ += dt_ * engine_->walls()[surcharge_plate_].force.z();
-    if (record_now) {
-      if (next_record == 0) ledger_at_pull_ = ledger_;
-      record(history, displacement);
-      ++next_record;
-    }
-    if (n_frames > 0 && (over || progress * n_frames >= next_frame)) {
-      frames_->write(time_, *engine_, *loop_);
-      ++next_frame;
-    }
-    if (over) break;
-    const double ramp =
-        elapsed < p.ramp_time ? 0.5 * (1 - std::cos(M_PI * elapsed / p.ramp_time)) : 1;
-    clamp_velocity_ = {-p.speed * ramp, 0, 0};
-    displacement += p.speed * ramp * dt_;
-    if (elapsed > 2 * duration) throw std::runtime_error("The pull did not come to its end.");
-  }
-  end_stage(sentence("%.1f mm, pull force at the end %.0f N", 1e3 * displacement,
-                     mean_over_window(record_displacements_, record_forces_, 1e-3)));
-}
 
 // Stones caught between the second transverse rib and the front wall carry the pull on their own.
-void PullOut::warn_of_rib_at_wall()
+void warn_of_rib_at_wall(const PullOut& experiment, RunRecords& records)
 {
-  const GeogridParameters& g = parameters_.geogrid;
-  const double left = g.pitch_along - g.overhang - g.rib_width - parameters_.pull.distance;
-  if (g.apertures_along > 1 && left < 0.5 * mean_size_)
-    warn(sentence("The pull brings the second transverse rib to %.1f mm from the front wall, less "
-                  "than half a stone of %.1f mm: stones caught there raise the force.",
-                  1e3 * left, 1e3 * mean_size_));
+  const GeogridParameters& g = experiment.parameters().geogrid;
+  const double distance = experiment.parameters().pull.distance, size = experiment.mean_size;
+  const double left = g.pitch_along - g.overhang - g.rib_width - distance;
+  if (g.apertures_along > 1 && left < 0.5 * size)
+    records.warn(fmt::format("The pull brings the second transverse rib to {:.1f} mm from the front "
+                             "wall, less than half a stone of {:.1f} mm: stones caught there raise "
+                             "the force.",
+                             1e3 * left, 1e3 * size));
 }
 
-void PullOut::watch_pull()
+double speed_after(double elapsed, const PullParameters& p)
 {
-  largest_overlap_ = std::max(largest_overlap_, engine_->largest_overlap());
-  for (const dem::RibContact& c : loop_->rib_contacts().contacts())
-    largest_overlap_ = std::max(largest_overlap_, c.overlap);
+  if (elapsed >= p.ramp_time) return p.speed;
+  return p.speed * 0.5 * (1 - std::cos(M_PI * elapsed / p.ramp_time));
 }
 
-// The state that the pull starts from.
-void PullOut::describe_packing()
+// Mean way of the nodes of the rear edge, along the pull [m].
+double rear_displacement(const fem::ExplicitDynamics& dynamics)
 {
-  const BoxParameters& box = parameters_.box;
-  const double mass = filling_->mass_in_box(), surface = filling_->surface_height();
-  const double stones = static_cast<double>(engine_->clumps().size());
-  const dem::ScalarField& masses = engine_->clumps().mass; // the surcharge's, too
-  const double total_mass = std::accumulate(masses.begin(), masses.end(), 0.);
-  nlohmann::ordered_json& results = summary_.results;
-  results["rigid"] = parameters_.geogrid.rigid;
-  results["placement"] = parameters_.geogrid.placement;
-  results["stones"] = stones;
-  results["mass_in_box_kg"] = mass;
-  results["mass_above_geogrid_kg"] = filling_->mass_above(geogrid_height_);
-  results["mean_surface_height_m"] = surface;
-  results["bulk_density_kg_per_m3"] = mass / (box.length * box.width * surface);
-  results["rms_speed_before_pull_m_per_s"] = std::sqrt(2 * engine_->kinetic_energy() / total_mass);
-  results["surcharge_N"] = parameters_.surcharge.force;
-}
-
-void PullOut::record(History& history, double displacement)
-{
-  const fem::ExplicitDynamics& dynamics = geogrid_->dynamics();
   const fem::Lattice& lattice = dynamics.lattice();
-  record_displacements_.push_back(displacement);
-  record_forces_.push_back(impulse_ / impulse_time_);
-  impulse_ = impulse_time_ = 0;
-  filtered_forces_.push_back(mean_over_window(record_displacements_, record_forces_, 1e-3));
-  const dem::StableStep live = engine_->stable_step(&loop_->rib_contacts());
-  if (live.step > 0) smallest_stable_step_ = std::min(smallest_stable_step_, live.step);
-  if (!std::isfinite(record_forces_.back()))
-    throw std::runtime_error(sentence("The simulation became unstable at t = %.6f s (step %.3g s); "
-                                      "lower Time/Safety factor.",
-                                      time_, dt_));
-
-  double rear = 0, rear_x = -1e300, axial = 0;
+  double rear_x = -1e300, way = 0;
   for (int node = 0; node < lattice.n_nodes(); ++node)
     rear_x = std::max(rear_x, lattice.reference_position(node).x());
-  int n_rear = 0;
+  int n = 0;
   for (int node = 0; node < lattice.n_nodes(); ++node)
     if (lattice.reference_position(node).x() > rear_x - 1e-6) {
-      rear += lattice.reference_position(node).x() - dynamics.position(node).x();
-      ++n_rear;
+      way += lattice.reference_position(node).x() - dynamics.position(node).x();
+      ++n;
     }
-  for (int e = 0; e < lattice.n_elements(); ++e) {
-    const double force = dynamics.section_forces(e).axial;
-    axial = std::max(axial, std::abs(force));
-    largest_stretch_ = std::max(largest_stretch_, force / lattice.section(e).axial);
-  }
-  largest_axial_force_ = std::max(largest_axial_force_, axial);
-  const auto& rib_contacts = loop_->rib_contacts().contacts();
-  const auto touching = std::count_if(rib_contacts.begin(), rib_contacts.end(),
-                                      [](const dem::RibContact& c) { return c.overlap > 0; });
-
-  std::vector<double> row = {time_,
-                             displacement,
-                             record_forces_.back(),
-                             filtered_forces_.back(),
-                             rear / n_rear,
-                             axial,
-                             static_cast<double>(engine_->n_touching_spheres()),
-                             static_cast<double>(touching),
-                             engine_->largest_overlap(),
-                             static_cast<double>(loop_->substeps())};
-  for (const auto& entry : ledger_.entries()) row.push_back(entry.second);
-  row.push_back(ledger_.relative_error());
-  history.add({row.begin(), row.end()});
+  return way / n;
 }
 
-void PullOut::collect_results()
+double largest_axial_force(const fem::ExplicitDynamics& dynamics)
 {
-  const dem::Clumps& clumps = engine_->clumps();
-  Summary& s = summary_;
-  s.experiment = "pull-out";
-  s.seed = parameters_.filling.seed;
-  s.clumps = clumps.size();
-  s.spheres = clumps.n_spheres();
-  s.time_step = dt_;
-  s.steps = steps_;
-  s.simulated_time = time_;
-  s.wall_time = std::chrono::duration<double>(Clock::now() - run_start_).count();
-  s.contacts = engine_->n_touching_spheres();
-  s.state_hash = state_hash(clumps, &geogrid_->dynamics());
+  double largest = 0;
+  for (int e = 0; e < dynamics.lattice().n_elements(); ++e)
+    largest = std::max(largest, std::abs(dynamics.section_forces(e).axial));
+  return largest;
+}
 
-  add_ledger(s, ledger_);
-  const EnergyLedger pull = difference(ledger_, ledger_at_pull_);
-  s.energy["interface_residual_J"] = ledger_.interface_residual();
-  s.energy["pull_interface_residual_J"] = pull.interface_residual();
-  s.energy["pull_clamp_work_J"] = pull.clamp_work;
-  s.energy["pull_residual_J"] = pull.residual();
-  s.energy["pull_relative_error"] =
-      pull.clamp_work != 0 ? std::abs(pull.residual() / pull.clamp_work) : 0;
+void record(PullStage& stage, PullOut& experiment, RunRecords& records)
+{
+  World& world = experiment.world();
+  stage.ledger = world.ledger();
+  if (stage.records == 0) stage.ledger_at_begin = stage.ledger;
+  // The first record has no step behind it: the clamp's force of the settling.
+  const double force = stage.impulse_time > 0 ? stage.impulse / stage.impulse_time
+                                              : -world.ribs.clamp_force().x();
+  stage.impulse = stage.impulse_time = 0;
+  stage.record_displacements.push_back(stage.displacement);
+  stage.record_forces.push_back(force);
+  stage.filtered_forces.push_back(mean_over_window(stage.record_displacements, stage.record_forces,
+                                                   protocol::filter_length));
+  const dem::StableStep live = world.engine.stable_step(&world.ribs.rib_contacts());
+  if (live.step > 0) stage.smallest_stable_step = std::min(stage.smallest_stable_step, live.step);
+  const double axial = largest_axial_force(world.geogrid()->dynamics());
+  stage.largest_axial_force = std::max(stage.largest_axial_force, axial);
+  stage.largest_stretch = std::max(stage.largest_stretch, largest_stretch(world).strain);
 
-  // The very first record holds one step only.
-  const auto peak = std::max_element(filtered_forces_.begin() + 1, filtered_forces_.end());
-  const auto raw_peak = std::max_element(record_forces_.begin() + 1, record_forces_.end());
-  s.results["mean_sphere_radius_m"] = mean_sphere_radius_;
-  s.results["largest_overlap_m"] = largest_overlap_;
-  s.results["largest_overlap_over_mean_sphere_radius"] = largest_overlap_ / mean_sphere_radius_;
-  s.results["pull_speed_m_per_s"] = parameters_.pull.speed;
-  s.results["pull_distance_m"] = record_displacements_.back();
-  if (surcharge_plate_ >= 0) {
-    const dem::Wall& plate = engine_->walls()[surcharge_plate_];
-    s.results["surcharge_plate_mean_force_N"] = plate_impulse_ / (time_ - pull_start_);
-    s.results["surcharge_plate_height_at_end_m"] = plate.corner.z();
+  const auto& rib_contacts = world.ribs.rib_contacts().contacts();
+  const auto touching = std::count_if(rib_contacts.begin(), rib_contacts.end(),
+                                      [](const dem::RibContact& c) { return c.overlap > 0; });
+  std::vector<History::Cell> row = {world.clock.time(),
+                                    stage.displacement,
+                                    force,
+                                    stage.filtered_forces.back(),
+                                    rear_displacement(world.geogrid()->dynamics()),
+                                    axial,
+                                    static_cast<double>(world.engine.n_touching_spheres()),
+                                    static_cast<double>(touching),
+                                    world.largest_overlap(),
+                                    static_cast<double>(world.ribs.substeps())};
+  append_ledger(row, stage.ledger);
+  records.add(row);
+  ++stage.records;
+}
+} // namespace
+
+StageStatus before_step(PullStage& stage, PullOut& experiment, RunRecords& records)
+{
+  World& world = experiment.world();
+  const PullParameters& p = experiment.parameters().pull;
+  if (stage.over)
+    return finished(fmt::format("{:.1f} mm, pull force at the end {:.0f} N",
+                                1e3 * stage.displacement, stage.filtered_forces.back()));
+  experiment.drop_lost_stones();
+  if (!stage.begun) {
+    stage.begun = true;
+    stage.begin = world.clock.time();
+    warn_of_rib_at_wall(experiment, records);
   }
-  // Filtered: mean over the last millimetre. Raw: mean between two records.
-  s.results["pull_force_at_end_N"] = filtered_forces_.back();
-  s.results["peak_pull_force_N"] = *peak;
-  s.results["displacement_at_peak_m"] = record_displacements_[peak - filtered_forces_.begin()];
-  s.results["peak_pull_force_between_records_N"] = *raw_peak;
-  s.results["largest_axial_force_in_a_rib_N"] = largest_axial_force_;
-  s.results["largest_stretch_of_a_rib"] = largest_stretch_;
-  s.results["mean_surface_height_after_pull_m"] = filling_->surface_height();
-  s.results["smallest_stable_step_s"] = smallest_stable_step_;
-  s.results["stones_lost_through_slot"] = n_lost_;
-  s.results["substeps"] = loop_->substeps();
+  world.clamp_velocity = {-speed_after(world.clock.time() - stage.begin, p), 0, 0};
+  return running(stage.displacement / p.distance);
+}
 
-  if (dt_ > smallest_stable_step_)
-    warn(sentence("The time step of %.3g s was above the live stable step of %.3g s.", dt_,
-                  smallest_stable_step_));
-  if (n_lost_ > 0)
-    warn(std::to_string(n_lost_) + " stones fell out of the slot and were taken out.");
-  const double pull_error = s.energy["pull_relative_error"];
-  if (pull_error > ledger_bound)
-    warn(sentence("The energy ledger of the pull leaves its bound: error %.2g of the clamp's work, "
-                  "bound %.2g.",
-                  pull_error, ledger_bound));
-  if (ledger_.relative_error() > ledger_bound)
-    warn(sentence("The energy ledger leaves its bound: error %.2g of the work put in, bound %.2g.",
-                  ledger_.relative_error(), ledger_bound));
-  s.ledger_closes = std::max(pull_error, ledger_.relative_error()) <= ledger_failure;
+void look(PullStage& stage, PullOut& experiment, RunRecords& records)
+{
+  World& world = experiment.world();
+  const OutputParameters& output = experiment.parameters().output;
+  const double progress = stage.displacement / experiment.parameters().pull.distance;
+  stage.over = progress >= 1;
+  if (stage.over || progress * output.records >= stage.records) record(stage, experiment, records);
+  if (output.field_frames > 0 && (stage.over || progress * output.field_frames >= stage.frames)) {
+    records.add_frame(world);
+    ++stage.frames;
+  }
+  stage.largest_overlap = std::max(stage.largest_overlap, world.largest_overlap());
+}
+
+void after_step(PullStage& stage, PullOut& experiment, RunRecords&)
+{
+  World& world = experiment.world();
+  const double dt = world.clock.dt;
+  stage.displacement -= world.clamp_velocity.x() * dt;
+  stage.impulse -= world.ribs.clamp_force().x() * dt;
+  stage.impulse_time += dt;
+  if (experiment.surcharge_plate >= 0)
+    stage.plate_impulse += dt * world.engine.wall(experiment.surcharge_plate).force.z();
 }
 } // namespace interlock::coupling

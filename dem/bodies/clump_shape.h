@@ -24,6 +24,8 @@ struct ClumpShape {
 
   // Largest |centre| + radius: the clump lies inside this ball around its centre of mass [m].
   double bounding_radius() const;
+
+  static constexpr bool stored_as_groups = true; // shapes differ in their number of spheres
 };
 
 // One clump as JSON (`*.clump.json`), SI units, read back to the same digits. Writing goes to a
@@ -32,4 +34,17 @@ struct ClumpShape {
 std::string clump_shape_text(const ClumpShape& shape);
 void write_clump_shape(const std::string& path, const ClumpShape& shape);
 ClumpShape read_clump_shape(const std::string& path);
+
+template <class Archive> void exchange(Archive& archive, Sphere& sphere)
+{
+  archive("centre", sphere.centre, "m");
+  archive("radius", sphere.radius, "m");
+}
+template <class Archive> void exchange(Archive& archive, ClumpShape& shape)
+{
+  archive("name", shape.name);
+  archive("spheres", shape.spheres);
+  archive("volume", shape.volume, "m3");
+  archive("unit_inertia", shape.unit_inertia, "m5");
+}
 } // namespace interlock::dem

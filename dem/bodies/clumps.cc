@@ -2,7 +2,10 @@
 
 #include "dem/bodies/rigid_motion.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace interlock::dem
 {
@@ -45,6 +48,7 @@ int Clumps::add(int new_shape, double density, const Vector3& x, const Quaternio
 {
   shape.push_back(new_shape);
   id.push_back(next_id_++);
+  kind.push_back(BodyKind::stone);
   const double m = density * shapes_[new_shape].volume;
   const Vector3 moments = density * shapes_[new_shape].unit_inertia;
   mass.push_back(m * one);
@@ -68,12 +72,69 @@ std::vector<int> Clumps::remove(const std::vector<bool>& remove)
     if (!remove[i]) new_index[i] = kept++;
   compact(shape, remove);
   compact(id, remove);
+  compact(kind, remove);
   orientation.compact(remove);
   for (ScalarField* field : {&mass, &inverse_mass, &member_reach_}) field->compact(remove);
   for (VectorField* field : {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum,
                              &spin, &drift_velocity, &step_velocity, &step_spin, &force, &torque})
     field->compact(remove);
   return new_index;
+}
+
+int Clumps::index_of(std::int64_t wanted) const
+{
+  const auto found = std::lower_bound(id.begin(), id.end(), wanted);
+  return found != id.end() && *found == wanted ? static_cast<int>(found - id.begin()) : -1;
+}
+
+void Clumps::set_motion(int i, const Vector3& v, const Vector3& w)
+{
+  const Quaternion q = orientation[i];
+  const Vector3 moments = inertia[i];
+  angular_momentum[i] = q * moments.cwiseProduct(q.conjugate() * w).eval();
+  velocity[i] = drift_velocity[i] = step_velocity[i] = v;
+  spin[i] = step_spin[i] = w;
+}
+
+// What is kept for speed and follows from the shapes.
+void Clumps::derive_from_shapes()
+{
+  bounding_radius_.clear();
+  for (const ClumpShape& s : shapes_) bounding_radius_.push_back(s.bounding_radius());
+  member_reach_.resize(0);
+  for (const int s : shape) {
+    if (s < 0 || s >= static_cast<int>(shapes_.size()))
+      throw std::logic_error("A clump has the shape " + std::to_string(s) + " of " +
+                             std::to_string(shapes_.size()) + ".");
+    member_reach_.push_back(largest_member_distance(shapes_[s]) * one);
+  }
+}
+
+void Clumps::validate() const
+{
+  const auto require = [](bool good, const std::string& what) {
+    if (!good) throw std::logic_error("The clumps are inconsistent: " + what + ".");
+  };
+  const int n = size();
+  for (const std::size_t length : {shape.size(), id.size(), kind.size()})
+    require(length == static_cast<std::size_t>(n), "their arrays differ in length");
+  for (const VectorField* field : {&inertia, &inverse_inertia, &velocity, &angular_momentum, &spin,
+                                   &drift_velocity, &step_velocity, &step_spin, &force, &torque})
+    require(field->size() == n, "their arrays differ in length");
+  require(mass.size() == n && inverse_mass.size() == n && orientation.size() == n &&
+              member_reach_.size() == n,
+          "their arrays differ in length");
+  for (int i = 0; i < n; ++i) {
+    const std::string who = "clump " + std::to_string(id[i]);
+    require(i == 0 || id[i - 1] < id[i], "ids do not ascend at " + who);
+    require(id[i] < next_id_, who + " has an id that is still to be given");
+    require(shape[i] >= 0 && shape[i] < static_cast<int>(shapes_.size()), who + " has no shape");
+    require(mass[i] > 0 && std::isfinite(mass[i]), who + " has no positive mass");
+    require(Vector3(position[i]).allFinite() && Vector3(velocity[i]).allFinite() &&
+                Vector3(angular_momentum[i]).allFinite(),
+            who + " has a motion that is not finite");
+    require(std::abs(orientation[i].norm() - 1) < 1e-6, who + " has an attitude that is no rotation");
+  }
 }
 
 Vector3 Clumps::spin_of(int i, const Vector3& momentum) const

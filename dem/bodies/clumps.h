@@ -8,6 +8,12 @@
 
 namespace interlock::dem
 {
+// What a body is there for.
+enum class BodyKind {
+  stone,
+  surcharge // a load on top of the stones
+};
+
 // One array a quantity, one contiguous row a component; index = clump. Velocities and angular
 // momenta live at half steps (leapfrog): after a kick they belong to the middle of the step that
 // the next drift makes.
@@ -16,9 +22,19 @@ class Clumps
 public:
   explicit Clumps(std::vector<ClumpShape> shapes);
 
-  // Adds a clump at rest and returns its index. `density` in kg/m3. `id` is kept for life; indices
-  // shift when clumps are removed.
+  // Adds a stone at rest and returns its index. `density` in kg/m3. Its id is next_id(), and is kept
+  // for life: ids ascend with the index, and indices shift when clumps are removed.
   int add(int shape, double density, const Vector3& position, const Quaternion& orientation);
+  std::int64_t next_id() const { return next_id_; }
+  int index_of(std::int64_t id) const; // -1: there is none
+
+  // Sets the motion of a clump as if it had drifted with it: the three velocities [m/s], the spins
+  // and the angular momentum that go with `spin` (world) [rad/s] at its present attitude.
+  void set_motion(int clump, const Vector3& velocity, const Vector3& spin);
+
+  // Throws std::logic_error, one sentence, when arrays differ in length, ids do not ascend, a shape
+  // is not there, a mass is not positive, an attitude is not a rotation or a number is not finite.
+  void validate() const;
 
   // Adds one more shape (for example the sphere of a surcharge) and returns its index.
   int add_shape(ClumpShape shape);
@@ -56,6 +72,7 @@ public:
 
   std::vector<int> shape;
   std::vector<std::int64_t> id;
+  std::vector<BodyKind> kind;
   ScalarField mass{one};                        // [kg]
   ScalarField inverse_mass{one};                // [1/kg]
   VectorField inertia{Vector3::Ones()};         // principal, body frame [kg m2]
@@ -73,7 +90,33 @@ public:
   VectorField force;  // of this step, without gravity [N]
   VectorField torque; // about the centre of mass [N m]
 
+  template <class Archive> friend void exchange(Archive& archive, Clumps& clumps)
+  {
+    archive("shapes", clumps.shapes_);
+    archive("next_id", clumps.next_id_);
+    archive("id", clumps.id);
+    archive("shape", clumps.shape);
+    archive("kind", clumps.kind);
+    archive("mass", clumps.mass, "kg");
+    archive("inverse_mass", clumps.inverse_mass, "1/kg");
+    archive("inertia", clumps.inertia, "kg m2");
+    archive("inverse_inertia", clumps.inverse_inertia, "1/(kg m2)");
+    archive("position", clumps.position, "m");
+    archive("orientation", clumps.orientation);
+    archive("velocity", clumps.velocity, "m/s");
+    archive("angular_momentum", clumps.angular_momentum, "kg m2/s");
+    archive("drift_velocity", clumps.drift_velocity, "m/s");
+    archive("spin", clumps.spin, "rad/s");
+    archive("step_velocity", clumps.step_velocity, "m/s");
+    archive("step_spin", clumps.step_spin, "rad/s");
+    archive("force", clumps.force, "N");
+    archive("torque", clumps.torque, "N m");
+    if (Archive::reading) clumps.derive_from_shapes();
+  }
+
 private:
+  void derive_from_shapes();
+
   inline static const Eigen::Matrix<double, 1, 1> one = Eigen::Matrix<double, 1, 1>::Ones();
 
   std::vector<ClumpShape> shapes_;

@@ -293,4 +293,25 @@ inline void end_contact(const ContactProperties& pair, double gap, const Vector3
   energy.friction += 0.5 * pair.tangential_stiffness * history.spring.squaredNorm();
   history = ContactHistory();
 }
+
+template <class Archive> void exchange(Archive& archive, ContactProperties& pair)
+{
+  archive("model", pair.model);
+  archive("normal_stiffness", pair.normal_stiffness, "N/m");
+  archive("tangential_stiffness", pair.tangential_stiffness, "N/m");
+  archive("effective_modulus", pair.effective_modulus, "Pa");
+  archive("effective_shear_modulus", pair.effective_shear_modulus, "Pa");
+  archive("friction", pair.friction);
+  archive("damping_ratio", pair.damping_ratio);
+  archive("normal_damping_rate", pair.normal_damping_rate, "1/s");
+  archive("tangential_damping_rate", pair.tangential_damping_rate, "1/s");
+  archive("tension", pair.tension);
+  archive("share_among_contacts", pair.share_among_contacts);
+}
+template <class Archive> void exchange(Archive& archive, ContactEnergy& energy)
+{
+  archive("elastic", energy.elastic, "J");
+  archive("friction", energy.friction, "J");
+  archive("damping", energy.damping, "J");
+}
 } // namespace interlock::dem

@@ -1,6 +1,9 @@
 #include "dem/engine/engine.h"
 
+#include <algorithm>
 #include <chrono>
+#include <stdexcept>
+#include <string>
 
 namespace interlock::dem
 {
@@ -47,34 +50,51 @@ std::vector<int> Engine::remove_clumps(const std::vector<bool>& remove)
   return new_index;
 }
 
-int Engine::add_wall(const Wall& wall)
+WallId Engine::add_wall(const Wall& wall)
 {
   walls_.push_back(wall);
+  walls_.back().id = next_wall_id_++;
   lists_.invalidate();
-  return static_cast<int>(walls_.size()) - 1;
+  for (int i = 0; i < clumps_.size(); ++i) {
+    const std::vector<Sphere>& spheres = clumps_.shape_of(i).spheres;
+    for (std::size_t a = 0; a < spheres.size(); ++a) {
+      const Vector3 x = clumps_.position[i] + clumps_.member_offset(i, a);
+      const double depth = spheres[a].radius - (x - wall.nearest_point(x)).norm();
+      if (depth > 0) inserted_ += stored_energy(wall.contact, depth, spheres[a].radius, 0, {});
+    }
+  }
+  return walls_.back().id;
 }
 
-void Engine::replace_walls(int first, const std::vector<Wall>& walls)
+std::size_t Engine::wall_index(WallId id) const
 {
+  const auto found = std::lower_bound(walls_.begin(), walls_.end(), id,
+                                      [](const Wall& wall, WallId value) { return wall.id < value; });
+  if (found == walls_.end() || found->id != id)
+    throw std::invalid_argument("There is no wall with the id " + std::to_string(id) + ".");
+  return static_cast<std::size_t>(found - walls_.begin());
+}
+
+void Engine::remove_walls(const std::vector<WallId>& ids)
+{
+  std::vector<bool> gone(walls_.size(), false);
+  for (const WallId id : ids) gone[wall_index(id)] = true;
   for (const WallContact& c : wall_contacts())
-    if (c.wall >= first) inserted_ -= elastic_energy(c);
-  lists_.forget_walls(first);
-  controls_.erase(std::remove_if(controls_.begin(), controls_.end(),
-                                 [first](const auto& c) { return c.first >= first; }),
-                  controls_.end());
-  rolling_.forget_walls(1, first);
-  walls_.resize(first);
-  for (const Wall& wall : walls) walls_.push_back(wall);
-  // What the new walls store from the start was put in by nobody's work: book it.
-  for (int i = 0; i < clumps_.size(); ++i)
-    for (const Wall& wall : walls) {
-      const std::vector<Sphere>& spheres = clumps_.shape_of(i).spheres;
-      for (std::size_t a = 0; a < spheres.size(); ++a) {
-        const Vector3 x = clumps_.position[i] + clumps_.member_offset(i, a);
-        const double depth = spheres[a].radius - (x - wall.nearest_point(x)).norm();
-        if (depth > 0) inserted_ += stored_energy(wall.contact, depth, spheres[a].radius, 0, {});
-      }
-    }
+    if (gone[c.wall]) inserted_ -= elastic_energy(c);
+  std::vector<int> new_index(walls_.size(), -1);
+  std::vector<Wall> kept;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    if (gone[w]) continue;
+    new_index[w] = static_cast<int>(kept.size());
+    kept.push_back(walls_[w]);
+  }
+  walls_ = std::move(kept);
+  lists_.renumber_walls(new_index);
+  rolling_.renumber_walls(1, new_index);
+  const auto is_gone = [&](const ControlledWall& c) {
+    return std::find(ids.begin(), ids.end(), c.wall) != ids.end();
+  };
+  controls_.erase(std::remove_if(controls_.begin(), controls_.end(), is_gone), controls_.end());
 }
 
 void Engine::compute_forces(double dt)
@@ -117,10 +137,11 @@ void Engine::resist_rolling(double dt)
   rolling_.evaluate(std::move(contacts), clumps_, mesh_walls_, dt, contact_energy_);
 }
 
-void Engine::control_wall(int wall, const ForceControl& control)
+void Engine::control_wall(WallId id, const ForceControl& control)
 {
   check(control);
-  controls_.emplace_back(wall, control);
+  wall_index(id); // must be there
+  controls_.push_back({id, control});
 }
 
 int Engine::add_mesh_wall(const MeshWall& wall)
@@ -192,9 +213,12 @@ void Engine::drift_all(double dt, const ScalarField* held)
 
 void Engine::move_walls(double dt)
 {
-  for (auto& [w, control] : controls_) {
+  for (auto& [id, control] : controls_) {
+    const std::size_t w = wall_index(id);
     Wall& wall = walls_[w];
-    control_force(control, contact_response(wall_contacts(), w, wall.contact, clumps_, dt), wall);
+    control_force(control,
+                  contact_response(wall_contacts(), static_cast<int>(w), wall.contact, clumps_, dt),
+                  wall);
   }
   for (Wall& wall : walls_) wall.corner += dt * wall.velocity;
   for (MeshWall& wall : mesh_walls_) wall.move(dt);

@@ -9,6 +9,7 @@
 // (coupling/loop/staggered_step.h). How it works: docs/theory/engine.md.
 #pragma once
 
+#include "dem/contacts/contact_memory.h"
 #include "dem/contacts/contact_views.h"
 #include "dem/engine/rolling_resistance.h"
 #include "dem/lists/neighbour_lists.h"
@@ -66,18 +67,24 @@ public:
   ContactProperties& stone_contact() { return stone_on_stone_; }
   const ContactProperties& stone_contact() const { return stone_on_stone_; }
 
+  // A stone. Its id is clumps().next_id(); returns its index.
   int add_clump(int shape, double density, const Vector3& position, const Quaternion& orientation,
                 const Vector3& velocity = Vector3::Zero());
   // Removes clumps and books their energy, that of their contacts included. Returns old to new
   // index.
   std::vector<int> remove_clumps(const std::vector<bool>& remove);
-  int add_wall(const Wall& wall);
-  // Replaces all walls from index `first` on; their contacts start anew.
-  void replace_walls(int first, const std::vector<Wall>& walls);
+  // Adds a wall behind the others and returns its id. What it stores from the start, where it
+  // overlaps clumps, is booked as inserted.
+  WallId add_wall(const Wall& wall);
+  // Removes walls; what their contacts store is booked with negative sign. The others keep theirs.
+  void remove_walls(const std::vector<WallId>& ids);
+  // Throws std::invalid_argument when there is no such wall (any more).
+  Wall& wall(WallId id) { return walls_[wall_index(id)]; }
+  const Wall& wall(WallId id) const { return walls_[wall_index(id)]; }
 
   // From now on the wall keeps a force: every move_walls sets its velocity along the axis of the
   // control (force_control.h, linear contacts). Throws InputError when the control is not usable.
-  void control_wall(int wall, const ForceControl& control);
+  void control_wall(WallId wall, const ForceControl& control);
 
   // Walls of triangles (theory/walls.md). What a new one stores from the start, where it overlaps
   // clumps, is booked as inserted. Change their motion between compute_forces and move_walls.
@@ -138,11 +145,64 @@ public:
   // Brute force over all pairs of member spheres: number of overlapping pairs (for tests).
   int count_overlaps_brute_force() const;
 
+  // What the contacts remember, and going on from it: with the field list below, the next
+  // compute_forces has the same digits as in the engine that it was taken from.
+  ContactMemory memory() const;
+  void restore(const ContactMemory& memory);
+  // Energy in the springs of all contacts with stones and walls at the present poses, for the
+  // present properties [J]: what changes when the properties are changed.
+  double elastic_energy() const;
+
   void set_list_settings(const ListSettings& settings) { lists_.set(settings); }
   StepProfile profile() const;
   void reset_profile();
 
+  // Everything that the next step needs. Reading goes into an engine that has its walls of triangles.
+  template <class Archive> friend void exchange(Archive& archive, Engine& engine)
+  {
+    archive("gravity", engine.gravity_, "m/s2");
+    archive("stone_contact", engine.stone_on_stone_);
+    archive("clumps", engine.clumps_);
+    archive("walls", engine.walls_);
+    archive("next_wall_id", engine.next_wall_id_);
+    archive("controls", engine.controls_);
+    std::vector<MeshWallMotion> motions = engine.mesh_wall_motions();
+    archive("mesh_walls", motions);
+    if (Archive::reading) engine.set_mesh_wall_motions(motions);
+    archive("rolling", engine.rolling_properties_);
+    archive("energy", engine.contact_energy_);
+    archive("local_damping", engine.local_damping_);
+    archive("local_damping_loss", engine.local_damping_loss_, "J");
+    archive("wall_work", engine.wall_work_, "J");
+    archive("inserted", engine.inserted_, "J");
+    archive("touching_spheres", engine.n_touching_);
+    ContactMemory contacts;
+    if (!Archive::reading) contacts = engine.memory();
+    archive("contacts", contacts);
+    if (Archive::reading) engine.restore(contacts);
+  }
+
 private:
+  struct ControlledWall {
+    WallId wall = -1;
+    ForceControl control;
+    template <class Archive> friend void exchange(Archive& archive, ControlledWall& controlled)
+    {
+      archive("wall", controlled.wall);
+      exchange(archive, controlled.control);
+    }
+  };
+  struct MeshWallMotion {
+    MeshWall wall; // without its surface
+    template <class Archive> friend void exchange(Archive& archive, MeshWallMotion& motion)
+    {
+      exchange_motion(archive, motion.wall);
+    }
+  };
+
+  std::size_t wall_index(WallId id) const;
+  std::vector<MeshWallMotion> mesh_wall_motions() const;
+  void set_mesh_wall_motions(const std::vector<MeshWallMotion>& motions);
   double elastic_energy(const SphereContact& contact) const;
   double elastic_energy(const WallContact& contact) const;
   double body_energy(int clump) const;
@@ -151,7 +211,8 @@ private:
 
   Clumps clumps_;
   std::vector<Wall> walls_;
-  std::vector<std::pair<int, ForceControl>> controls_; // by wall
+  WallId next_wall_id_ = 0;
+  std::vector<ControlledWall> controls_;
   std::vector<MeshWall> mesh_walls_;
   NeighbourLists lists_;
   WrenchSums wrenches_;

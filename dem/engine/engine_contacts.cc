@@ -119,6 +119,16 @@ double Engine::elastic_energy(const WallContact& c) const
   return stored_energy(wall.contact, depth, radius, c.history.spring.norm(), c.share);
 }
 
+double Engine::elastic_energy() const
+{
+  double sum = 0;
+  for (const SphereContact& c : sphere_contacts()) sum += elastic_energy(c);
+  for (const WallContact& c : wall_contacts()) sum += elastic_energy(c);
+  for (const MeshContact& c : mesh_contacts_.contacts())
+    sum += MeshContacts::elastic_energy(c, mesh_walls_[c.wall].contact);
+  return sum;
+}
+
 StableStep Engine::stable_step(const RibContacts* ribs) const
 {
   std::vector<double> rate(clumps_.size(), 0.);      // bound of omega^2 [1/s2]

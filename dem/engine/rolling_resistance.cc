@@ -22,12 +22,6 @@ double radius_of(const Clumps& clumps, int i, int a)
 {
   return clumps.shape_of(i).spheres[a].radius;
 }
-
-// Number of the wall, or -1 for a contact of two clumps.
-int wall_of(const std::array<int, 5>& key, int kind)
-{
-  return key[0] == kind ? key[2] : -1;
-}
 } // namespace
 
 void RollingResistance::evaluate(std::vector<RollingContact> contacts, Clumps& clumps,
@@ -110,12 +104,14 @@ void RollingResistance::renumber_clumps(const std::vector<int>& new_index)
   springs_.swap(kept); // still sorted: renumbering keeps the order
 }
 
-void RollingResistance::forget_walls(int kind, int first)
+void RollingResistance::renumber_walls(int kind, const std::vector<int>& new_index)
 {
-  springs_.erase(
-      std::remove_if(springs_.begin(), springs_.end(),
-                     [&](const RollingSpring& s) { return wall_of(s.key, kind) >= first; }),
-      springs_.end());
+  std::vector<RollingSpring> kept;
+  for (RollingSpring spring : springs_) {
+    if (spring.key[0] == kind) spring.key[2] = new_index[spring.key[2]];
+    if (spring.key[0] != kind || spring.key[2] >= 0) kept.push_back(spring);
+  }
+  springs_.swap(kept);
 }
 
 void append_rolling(const std::vector<SphereContact>& contacts, const Clumps& clumps,

@@ -58,10 +58,10 @@ public:
   void evaluate(std::vector<RollingContact> contacts, Clumps& clumps, std::vector<MeshWall>& meshes,
                 double time_step, ContactEnergy& energy);
 
-  // After clumps were removed, as everywhere; and after walls or walls of triangles were: springs
-  // with numbers >= first are dropped (kind: 1 or 2, as in the key).
+  // After clumps or walls were removed: for every old one the new index, ascending, or -1 (`kind`: 1
+  // walls, 2 walls of triangles, as in the key).
   void renumber_clumps(const std::vector<int>& new_index);
-  void forget_walls(int kind, int first);
+  void renumber_walls(int kind, const std::vector<int>& new_index);
 
   // Sorted by key; restore() goes on from those of an earlier run, with the same digits.
   const std::vector<RollingSpring>& springs() const { return springs_; }
@@ -85,4 +85,10 @@ void append_rolling(const std::vector<WallContact>& contacts, const Clumps& clum
 void append_rolling(const std::vector<MeshContact>& contacts, const Clumps& clumps,
                     const std::vector<MeshWall>& meshes, const RollingProperties& rolling,
                     std::vector<RollingContact>& list);
+
+template <class Archive> void exchange(Archive& archive, RollingProperties& rolling)
+{
+  archive("friction", rolling.friction);
+  archive("damping_ratio", rolling.damping_ratio);
+}
 } // namespace interlock::dem

@@ -42,6 +42,23 @@ void ContactLanes::set_wall(int k, const ContactKey& key, const Clumps& clumps)
   root_mass[k] = std::sqrt(reduced_mass[k]);
 }
 
+LaneMemory ContactLanes::memory(int k) const
+{
+  return {spring[k],  dashpot[k],      force[k],    overlap[k], tangential_stiffness[k],
+          shared_depth[k], gradient[k]};
+}
+
+void ContactLanes::remember(int k, const LaneMemory& memory)
+{
+  spring[k] = memory.spring;
+  dashpot[k] = memory.dashpot;
+  force[k] = memory.force;
+  overlap[k] = memory.overlap;
+  tangential_stiffness[k] = memory.tangential_stiffness;
+  shared_depth[k] = memory.shared_depth;
+  gradient[k] = memory.gradient;
+}
+
 void ContactLanes::copy_history(int k, const ContactLanes& from, int from_k)
 {
   spring[k] = from.spring[from_k];

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dem/bodies/clumps.h"
-#include "dem/contacts/contact_law.h"
+#include "dem/contacts/contact_memory.h"
 #include "dem/lanes/wrench_sums.h"
 #include "dem/walls/wall.h"
 
@@ -49,6 +49,9 @@ public:
   void set_pair(int k, const ContactKey& key, const Clumps& clumps);
   void set_wall(int k, const ContactKey& key, const Clumps& clumps);
   void copy_history(int k, const ContactLanes& from, int from_k);
+  LaneMemory memory(int k) const;
+  void remember(int k, const LaneMemory& memory);
+  bool holds_something(int k) const { return overlap[k] > 0; } // an open contact holds nothing
 
 private:
   static Eigen::Matrix<double, 1, 1> one() { return Eigen::Matrix<double, 1, 1>::Ones(); }

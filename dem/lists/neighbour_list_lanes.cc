@@ -111,7 +111,7 @@ void NeighbourLists::renumber_clumps(const std::vector<int>& new_index)
   int next = 0;
   for (WallSegment& segment : wall_segments_) {
     const int begin = padded(next);
-    next = begin;
+    for (; next < begin; ++next) w.overlap[next] = 0; // padding holds nothing
     for (int k = segment.begin; k < segment.end; ++k) {
       const int i = new_index[w.i[k]];
       if (i < 0) continue;
@@ -125,9 +125,51 @@ void NeighbourLists::renumber_clumps(const std::vector<int>& new_index)
   invalidate();
 }
 
-void NeighbourLists::forget_walls(int first)
+void NeighbourLists::renumber_walls(const std::vector<int>& new_index)
 {
-  if (first < static_cast<int>(wall_segments_.size())) wall_segments_.resize(first);
+  ContactLanes& w = wall_lanes_;
+  std::vector<WallSegment> kept;
+  int next = 0;
+  for (std::size_t old = 0; old < wall_segments_.size(); ++old) {
+    if (new_index[old] < 0) continue;
+    const WallSegment segment = wall_segments_[old];
+    const int begin = padded(next);
+    for (; next < begin; ++next) w.overlap[next] = 0; // padding holds nothing
+    for (int k = segment.begin; k < segment.end; ++k, ++next) {
+      w.i[next] = w.i[k], w.j[next] = new_index[old], w.a[next] = w.a[k], w.b[next] = 0;
+      w.copy_history(next, w, k);
+    }
+    kept.push_back({begin, next});
+  }
+  w.resize(next);
+  wall_segments_ = kept;
+  invalidate();
+}
+
+void NeighbourLists::restore(const Clumps& clumps, int n_walls,
+                             const std::vector<Remembered>& pairs,
+                             const std::vector<Remembered>& at_walls)
+{
+  pairs_.resize(0);
+  pairs_.resize(static_cast<int>(pairs.size()));
+  for (int k = 0; k < pairs_.size(); ++k) {
+    pairs_.set_pair(k, pairs[k].key, clumps);
+    pairs_.remember(k, pairs[k].memory);
+  }
+  wall_segments_.assign(n_walls, {});
+  wall_lanes_.resize(0);
+  auto contact = at_walls.begin();
+  int next = 0;
+  for (int w = 0; w < n_walls; ++w) {
+    next = padded(next);
+    wall_segments_[w].begin = next;
+    for (; contact != at_walls.end() && contact->key.j == w; ++contact, ++next) {
+      wall_lanes_.resize(next + 1);
+      wall_lanes_.set_wall(next, contact->key, clumps);
+      wall_lanes_.remember(next, contact->memory);
+    }
+    wall_segments_[w].end = next;
+  }
   invalidate();
 }
 } // namespace interlock::dem

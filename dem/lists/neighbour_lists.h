@@ -36,8 +36,15 @@ public:
   void invalidate() { valid_ = false; }
   // After clumps were removed: drops their contacts and renumbers the others.
   void renumber_clumps(const std::vector<int>& new_index);
-  // After walls were removed or exchanged: drops contacts of walls with index >= first.
-  void forget_walls(int first);
+  // After walls were removed: for every old wall the new index, ascending, or -1.
+  void renumber_walls(const std::vector<int>& new_index);
+  // Goes on from contacts of an earlier run, pairs and walls in the order of the lanes below.
+  struct Remembered {
+    ContactKey key;
+    LaneMemory memory;
+  };
+  void restore(const Clumps& clumps, int n_walls, const std::vector<Remembered>& pairs,
+               const std::vector<Remembered>& at_walls);
 
   // Sorted by (i, j, a, b); and by (wall, i, a), one segment for each wall. Forces are summed in
   // this order, so a clump adds its partners in ascending order.

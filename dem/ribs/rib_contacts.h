@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dem/bodies/clumps.h"
-#include "dem/contacts/contact_law.h"
+#include "dem/contacts/contact_memory.h"
 #include "dem/ribs/ribs.h"
 
 #include <vector>
@@ -39,6 +39,9 @@ public:
   void invalidate() { valid_ = false; }
   void renumber_clumps(const std::vector<int>& new_index);
   void clear();
+  // What the contacts remember, by ids of clumps, and going on from it with the same digits.
+  std::vector<RibMemory> memory(const Clumps& clumps) const;
+  void restore(const Clumps& clumps, const std::vector<RibMemory>& memory);
 
   // Evaluates all contacts at the present poses and advances springs by `time_step` [s]. Adds
   // forces and torques to `force` and `torque` (per clump, world) and returns the wrenches on the

@@ -50,4 +50,13 @@ double contact_response(const std::vector<MeshContact>& contacts, int wall,
 // move.
 void control_force(ForceControl& control, double response, Wall& wall);
 void control_force(ForceControl& control, double response, MeshWall& wall);
+
+template <class Archive> void exchange(Archive& archive, ForceControl& control)
+{
+  archive("axis", control.axis);
+  archive("force", control.force, "N");
+  archive("largest_speed", control.largest_speed, "m/s");
+  archive("gain", control.gain);
+  archive("followed_speed", control.followed_speed, "m/s");
+}
 } // namespace interlock::dem

@@ -113,4 +113,19 @@ MeshWall mesh_wall(const std::string& name, TriangleMesh world_mesh,
 // one file unit [m]. Throws InputError that names the file when it is missing, of another format
 // than its extension says, damaged, or has no facet, or when the unit is not above 0.
 TriangleMesh read_wall_mesh(const std::string& path, double length_unit);
+
+// The motion of a wall; its surface comes from the file that it was read from.
+template <class Archive> void exchange_motion(Archive& archive, MeshWall& wall)
+{
+  archive("centre", wall.centre, "m");
+  archive("orientation", wall.orientation);
+  archive("velocity", wall.velocity, "m/s");
+  archive("spin", wall.spin, "rad/s");
+  archive("contact", wall.contact);
+  archive("force", wall.force, "N");
+  archive("torque", wall.torque, "N m");
+  archive("booked_work", wall.booked_work, "J");
+  archive("moved", wall.moved, "m");
+  archive("turned", wall.turned, "rad");
+}
 } // namespace interlock::dem

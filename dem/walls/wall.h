@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dem/contacts/contact_law.h"
+#include "dem/contacts/contact_memory.h"
 
 #include <string>
 
@@ -16,6 +17,7 @@ struct Wall {
   Vector3 velocity = Vector3::Zero(); // prescribed, translation only [m/s]
   ContactProperties contact;          // with a stone
   Vector3 force = Vector3::Zero();    // of the stones on the wall, at the last step [N]
+  WallId id = -1;                     // given by the engine, ascending, kept for life
 
   // The point of the rectangle that is nearest to `x` (world) [m].
   Vector3 nearest_point(const Vector3& x) const
@@ -38,5 +40,17 @@ inline Wall rectangle_wall(const std::string& name, const Vector3& corner, const
   wall.edge2 = edge2;
   wall.contact = contact;
   return wall;
+}
+
+template <class Archive> void exchange(Archive& archive, Wall& wall)
+{
+  archive("name", wall.name);
+  archive("id", wall.id);
+  archive("corner", wall.corner, "m");
+  archive("edge1", wall.edge1, "m");
+  archive("edge2", wall.edge2, "m");
+  archive("velocity", wall.velocity, "m/s");
+  archive("contact", wall.contact);
+  archive("force", wall.force, "N");
 }
 } // namespace interlock::dem

@@ -1,7 +1,7 @@
 // States of packed boxes that cannot be used. Each test states one fault and the words that must be
 // in the one sentence that answers it: file, entry, value and what is allowed. It takes a fault
 // that is accepted, or a sentence that does not say where it is, to fail.
-#include "coupling/output/compressed_file.h"
+#include "coupling/files/compressed_file.h"
 #include "coupling/packing/packed_state.h"
 #include "tests/packed_plates.h"
 #include "tests/refusal.h"

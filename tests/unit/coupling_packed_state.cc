@@ -1,7 +1,7 @@
 // States of packed boxes in files. It takes a digit that is lost on the way to a file and back,
 // compressed or not, a benchmark state that is not read whole, or a squeeze that changes stones, to
 // fail.
-#include "coupling/output/compressed_file.h"
+#include "coupling/files/compressed_file.h"
 #include "coupling/packing/packed_state.h"
 #include "tests/packed_plates.h"
 #include "tests/temporary_folder.h"

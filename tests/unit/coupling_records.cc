@@ -1,7 +1,7 @@
 // history.csv and summary.json. It takes a number that reads back differently, a row that is not in
 // the file when `add` returns, a temporary file that stays behind, or a hash that loses digits, to
 // fail.
-#include "coupling/output/atomic_file.h"
+#include "coupling/files/atomic_file.h"
 #include "coupling/output/history.h"
 #include "coupling/output/summary.h"
 #include "tests/temporary_folder.h"

@@ -2,21 +2,22 @@
 //
 // An experiment is a struct with
 //   static constexpr const char* name;                  // "pull-out"
-//   using Stage = std::variant<...>;                     // coupling/loop/stage.h
+//   using Stage = std::variant<...>;                     // coupling/run/stage.h
 //   World& world();
 //   std::vector<Stage> plan() const;
 //   std::vector<std::string> history_columns() const;    // of history.csv
 //   PhysicsLimits limits() const;                        // beyond them the run fails
+//   void begin(RunRecords&) const;                       // logs what was prepared
 //   void finish(std::vector<Stage>& plan, RunRecords&);  // results into the summary
 // and a field list `exchange(archive, experiment)` of all that changes, the world included.
 // CONTRIBUTING.md shows a complete small one.
 #pragma once
 
-#include "coupling/loop/checkpoints.h"
-#include "coupling/loop/physics_limits.h"
-#include "coupling/loop/run_failure.h"
-#include "coupling/loop/run_records.h"
-#include "coupling/loop/stage.h"
+#include "coupling/run/checkpoints.h"
+#include "coupling/run/physics_limits.h"
+#include "coupling/run/run_failure.h"
+#include "coupling/run/run_records.h"
+#include "coupling/run/stage.h"
 #include "coupling/loop/state_hash.h"
 #include "coupling/state/state_archive.h"
 
@@ -80,6 +81,7 @@ private:
                        " yet: the run starts from the beginning.");
     }
     records_.start();
+    experiment_.begin(records_);
   }
 
   void resume(const StateTree& state)

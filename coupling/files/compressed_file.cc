@@ -1,6 +1,6 @@
-#include "coupling/output/compressed_file.h"
+#include "coupling/files/compressed_file.h"
 
-#include "coupling/output/atomic_file.h"
+#include "coupling/files/atomic_file.h"
 #include "dem/input_error.h"
 
 #include <zlib.h>

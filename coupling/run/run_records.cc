@@ -1,4 +1,4 @@
-#include "coupling/loop/run_records.h"
+#include "coupling/run/run_records.h"
 
 #include <fmt/format.h>
 
@@ -51,6 +51,13 @@ void RunRecords::end_stage(const std::string& result, const StepClock& clock)
   message(fmt::format("{}: {} ({:.1f} s)", stage.name, result, stage.wall_time));
 }
 
+void RunRecords::add_stage(const std::string& name, const std::string& result, double wall_time)
+{
+  summary.stages.push_back({name, 0, 0, wall_time});
+  wall_time_before_ += wall_time;
+  message(fmt::format("{}: {} ({:.1f} s)", name, result, wall_time));
+}
+
 void RunRecords::warn(const std::string& sentence)
 {
   summary.warnings.push_back(sentence);
@@ -80,5 +87,26 @@ double RunRecords::wall_time() const
 double RunRecords::stage_wall_time() const
 {
   return in_stage_ ? stage_wall_time_before_ + seconds_since(stage_clock_start_) : 0;
+}
+
+void warn_of_ledger(const EnergyLedger& ledger, RunRecords& records)
+{
+  if (ledger.relative_error() > ledger_bound)
+    records.warn(fmt::format(
+        "The energy ledger leaves its bound: error {:.2g} of the work put in, bound {:.2g}.",
+        ledger.relative_error(), ledger_bound));
+}
+
+void append_ledger_columns(std::vector<std::string>& columns)
+{
+  for (const auto& entry : EnergyLedger().entries())
+    columns.push_back("energy_" + entry.first + " [J]");
+  columns.push_back("energy_relative_error [-]");
+}
+
+void append_ledger(std::vector<History::Cell>& row, const EnergyLedger& ledger)
+{
+  for (const auto& entry : ledger.entries()) row.push_back(entry.second);
+  row.push_back(ledger.relative_error());
 }
 } // namespace interlock::coupling

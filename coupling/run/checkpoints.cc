@@ -1,7 +1,7 @@
-#include "coupling/loop/checkpoints.h"
+#include "coupling/run/checkpoints.h"
 
 #include "coupling/state/checkpoint_file.h"
-#include "dem/bodies/input_error.h"
+#include "dem/input_error.h"
 
 #include <boost/algorithm/string/join.hpp>
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ std::optional<StateTree> Checkpoints::read() const
   if (!std::filesystem::exists(file(), error) &&
       !std::filesystem::exists(folder_ / "checkpoint.previous.h5", error))
     return {};
-  return read_checkpoint(file());
+  return read_state(file());
 }
 
 std::vector<std::string> changed_entries(const std::vector<CaseEntry>& kept,

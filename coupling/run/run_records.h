@@ -29,6 +29,8 @@ public:
 
   void begin_stage(const std::string& name, const StepClock& clock);
   void end_stage(const std::string& result, const StepClock& clock);
+  // One that made no step: the preparation before the run.
+  void add_stage(const std::string& name, const std::string& result, double wall_time);
   bool in_stage() const { return in_stage_; }
   const std::string& stage_name() const { return summary.stages.back().name; }
   void warn(const std::string& sentence);
@@ -87,6 +89,13 @@ private:
   double wall_time_before_ = 0, stage_wall_time_before_ = 0;     // of earlier processes [s]
   Clock::time_point clock_start_ = Clock::now(), stage_clock_start_ = clock_start_;
 };
+
+// Warns when the ledger of the whole run leaves its bound.
+void warn_of_ledger(const EnergyLedger& ledger, RunRecords& records);
+
+// The columns of a ledger in history.csv, and its cells.
+void append_ledger_columns(std::vector<std::string>& columns);
+void append_ledger(std::vector<History::Cell>& row, const EnergyLedger& ledger);
 
 template <class Archive> void exchange(Archive& archive, StageSummary& stage)
 {

@@ -1,6 +1,6 @@
-#include "coupling/loop/physics_limits.h"
+#include "coupling/run/physics_limits.h"
 
-#include "coupling/loop/run_failure.h"
+#include "coupling/run/run_failure.h"
 
 #include <fmt/format.h>
 

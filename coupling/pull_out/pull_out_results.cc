@@ -1,0 +1,104 @@
+// What a pull-out run leaves in its summary.
+#include "coupling/pull_out/pull_out.h"
+#include "coupling/stones/filled_box.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace interlock::coupling
+{
+namespace
+{
+void describe_pull(const PullStage& pull, const PullOut& experiment, nlohmann::ordered_json& results)
+{
+  const World& world = experiment.world();
+  // The first record stands for no displacement.
+  const std::vector<double>&filtered = pull.filtered_forces, &forces = pull.record_forces;
+  const auto peak = std::max_element(filtered.begin() + 1, filtered.end());
+  const auto raw_peak = std::max_element(forces.begin() + 1, forces.end());
+  results["mean_sphere_radius_m"] = experiment.mean_sphere_radius;
+  results["largest_overlap_m"] = pull.largest_overlap;
+  results["largest_overlap_over_mean_sphere_radius"] =
+      pull.largest_overlap / experiment.mean_sphere_radius;
+  results["pull_speed_m_per_s"] = experiment.parameters().pull.speed;
+  results["pull_distance_m"] = pull.record_displacements.back();
+  if (experiment.surcharge_plate >= 0) {
+    results["surcharge_plate_mean_force_N"] =
+        pull.plate_impulse / (world.clock.time() - pull.begin);
+    results["surcharge_plate_height_at_end_m"] =
+        world.engine.wall(experiment.surcharge_plate).corner.z();
+  }
+  // Filtered: mean over the last millimetre. Raw: mean between two records.
+  results["pull_force_at_end_N"] = filtered.back();
+  results["peak_pull_force_N"] = *peak;
+  results["displacement_at_peak_m"] = pull.record_displacements[peak - filtered.begin()];
+  results["peak_pull_force_between_records_N"] = *raw_peak;
+  results["largest_axial_force_in_a_rib_N"] = pull.largest_axial_force;
+  results["largest_stretch_of_a_rib"] = pull.largest_stretch;
+  results["mean_surface_height_after_pull_m"] =
+      surface_height(world.engine.clumps(), experiment.parameters().box);
+  results["smallest_stable_step_s"] = pull.smallest_stable_step;
+  results["stones_lost_through_slot"] = experiment.lost;
+  results["substeps"] = world.ribs.substeps();
+}
+
+void describe_energy(const PullStage& pull, Summary& summary)
+{
+  add_ledger(summary, pull.ledger);
+  const EnergyLedger change = difference(pull.ledger, pull.ledger_at_begin);
+  summary.energy["interface_residual_J"] = pull.ledger.interface_residual();
+  summary.energy["pull_interface_residual_J"] = change.interface_residual();
+  summary.energy["pull_clamp_work_J"] = change.clamp_work;
+  summary.energy["pull_residual_J"] = change.residual();
+  summary.energy["pull_relative_error"] =
+      change.clamp_work != 0 ? std::abs(change.residual() / change.clamp_work) : 0;
+}
+} // namespace
+
+// The state that the pull starts from.
+void describe_packing(const PullOut& experiment, RunRecords& records)
+{
+  const dem::Clumps& clumps = experiment.world().engine.clumps();
+  const PullOutParameters& p = experiment.parameters();
+  const double mass = mass_in_box(clumps, p.box), surface = surface_height(clumps, p.box);
+  // The surcharge moves, too.
+  const double total_mass = std::accumulate(clumps.mass.begin(), clumps.mass.end(), 0.);
+  nlohmann::ordered_json& results = records.summary.results;
+  results["rigid"] = p.geogrid.rigid;
+  results["placement"] = p.geogrid.placement;
+  results["stones"] = stones(clumps);
+  results["mass_in_box_kg"] = mass;
+  results["mass_above_geogrid_kg"] = mass_above(clumps, p.box, experiment.geogrid_height());
+  results["mean_surface_height_m"] = surface;
+  results["bulk_density_kg_per_m3"] = mass / (p.box.length * p.box.width * surface);
+  results["rms_speed_before_pull_m_per_s"] =
+      std::sqrt(2 * experiment.world().kinetic_energy() / total_mass);
+  results["surcharge_N"] = p.surcharge.force;
+}
+
+void PullOut::finish(std::vector<Stage>& plan, RunRecords& records) const
+{
+  const PullStage& pull = std::get<PullStage>(plan.back());
+  Summary& summary = records.summary;
+  summary.seed = parameters_.filling.seed;
+  summary.contacts = world_.engine.n_touching_spheres();
+  describe_energy(pull, summary);
+  describe_pull(pull, *this, summary.results);
+
+  if (world_.clock.dt > pull.smallest_stable_step)
+    records.warn(fmt::format("The time step of {:.3g} s was above the live stable step of {:.3g} s.",
+                             world_.clock.dt, pull.smallest_stable_step));
+  if (lost > 0)
+    records.warn(fmt::format("{} stones fell out of the slot and were taken out.", lost));
+  const double pull_error = summary.energy["pull_relative_error"];
+  if (pull_error > ledger_bound)
+    records.warn(fmt::format("The energy ledger of the pull leaves its bound: error {:.2g} of the "
+                             "clamp's work, bound {:.2g}.",
+                             pull_error, ledger_bound));
+  warn_of_ledger(pull.ledger, records);
+  summary.ledger_closes = std::max(pull_error, pull.ledger.relative_error()) <= ledger_failure;
+}
+} // namespace interlock::coupling

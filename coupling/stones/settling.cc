@@ -1,0 +1,32 @@
+#include "coupling/stones/settling.h"
+
+#include <algorithm>
+
+namespace interlock::coupling
+{
+namespace
+{
+// So many steps between two looks at the kinetic energy, which costs about half a step.
+constexpr int steps_between_looks = 200;
+// Most waits are over so long after their least time [s].
+constexpr double usual_time = 0.3;
+} // namespace
+
+Stillness stillness(const Settling& settling, const World& world,
+                    const SettlingParameters& parameters)
+{
+  const double waited = world.clock.time() - settling.begin;
+  if (waited >= settling.least && world.clock.step % steps_between_looks == 0) {
+    const double target = settling.looseness * parameters.kinetic_energy_ratio * world.weight() *
+                          parameters.mean_size;
+    if (world.kinetic_energy() < target) return Stillness::still;
+  }
+  return waited >= settling.least + parameters.time_limit ? Stillness::timed_out
+                                                          : Stillness::moving;
+}
+
+double fraction_of(const Settling& settling, const World& world)
+{
+  return std::min(0.99, (world.clock.time() - settling.begin) / (settling.least + usual_time));
+}
+} // namespace interlock::coupling

@@ -1,0 +1,41 @@
+// Waiting until stones lie still.
+#pragma once
+
+#include "coupling/loop/world.h"
+
+namespace interlock::coupling
+{
+struct SettlingParameters {
+  double kinetic_energy_ratio = 0; // still when E_kin < ratio * weight * mean stone size [-]
+  double time_limit = 0;           // after the least time; ends with a warning [s]
+  double mean_size = 0;            // of a stone [m]
+};
+
+// How still: small stones keep slipping into voids for long, which does not matter before the next
+// stones fall on them.
+constexpr double still = 1, loosely_still = 10;
+
+// A wait in progress: a member of the stage that waits.
+struct Settling {
+  double begin = 0;     // [s]
+  double least = 0;     // waits at least so long [s]
+  double looseness = 1; // factor on the energy: still, loosely_still [-]
+};
+template <class Archive> void exchange(Archive& archive, Settling& settling)
+{
+  archive("begin", settling.begin, "s");
+  archive("least", settling.least, "s");
+  archive("looseness", settling.looseness);
+}
+
+enum class Stillness { moving, still, timed_out };
+
+inline Settling begin_settling(const World& world, double least, double looseness)
+{
+  return {world.clock.time(), least, looseness};
+}
+Stillness stillness(const Settling& settling, const World& world,
+                    const SettlingParameters& parameters);
+// Of the wait, for a progress bar: nobody knows how long it takes [-].
+double fraction_of(const Settling& settling, const World& world);
+} // namespace interlock::coupling
