@@ -49,7 +49,7 @@ const std::vector<Experiment>& experiments()
 {
   static const std::vector<Experiment> table = {
       row<coupling::PullOut, coupling::PullOutParameters>(
-          "pull-out", pull_out_template(), coupling::declare_pull_out, coupling::check_parameters,
+          "pull-out", pull_out_template(), coupling::declare_pull_out, coupling::check_pull_out,
           [](const coupling::PullOutParameters& p) { return p.output.report; }),
       row<coupling::Heap, coupling::HeapParameters>(
           "heap", heap_template(), coupling::declare_heap, coupling::check_heap,

@@ -8,7 +8,7 @@
 #include "coupling/output/summary.h"
 #include "coupling/packing/packing_parameters.h"
 #include "coupling/parameters/parameter_table.h"
-#include "coupling/pull_out/check_parameters.h"
+#include "coupling/pull_out/pull_out_checks.h"
 #include "coupling/pull_out/pull_out_parameters.h"
 
 #include <filesystem>

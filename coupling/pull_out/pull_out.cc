@@ -1,7 +1,7 @@
 #include "coupling/pull_out/pull_out.h"
 
 #include "coupling/loop/state_hash.h"
-#include "coupling/stones/stone_library.h"
+#include "coupling/stones/stone_shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -256,7 +256,7 @@ void PullOut::place_geogrid()
 {
   begin_stage("place geogrid");
   const double front = -parameters_.geogrid.overhang - 0.5 * parameters_.geogrid.rib_width;
-  geogrid_ = std::make_unique<Geogrid>(Geogrid::biaxial(
+  geogrid_ = std::make_unique<RibTransfer>(RibTransfer::biaxial(
       parameters_.geogrid, Vector3(front, 0.5 * parameters_.box.width, geogrid_height_),
       parameters_.gravity));
   const int before = engine_->clumps().size();

@@ -64,7 +64,7 @@ private:
   std::unique_ptr<dem::Engine> engine_;
   std::unique_ptr<Filling> filling_;
   std::unique_ptr<StaggeredStep> loop_;
-  std::unique_ptr<Geogrid> geogrid_;
+  std::unique_ptr<RibTransfer> geogrid_;
   std::unique_ptr<FieldFrames> frames_;
   double mean_size_ = 0;          // of a stone: diameter of the ball of equal mean volume [m]
   double mean_sphere_radius_ = 0; // [m]
