@@ -5,8 +5,8 @@
 
 namespace interlock::apps
 {
-const char* pull_out_template(); // cases/pullout/pullout.prm
-const char* heap_template();     // cases/heap/heap.prm
-const char* geogrid_template();  // cases/geogrids/bx1100.prm
-const char* packing_template();  // cases/benchmark/w1.prm
+const char* pull_out_template();   // cases/pullout/pullout.prm
+const char* heap_template();       // cases/heap/heap.prm
+const char* laboratory_template(); // cases/geogrids/bx1100.prm
+const char* packing_template();    // cases/benchmark/w1.prm
 } // namespace interlock::apps

@@ -49,7 +49,7 @@ const std::vector<Experiment>& experiments()
 {
   static const std::vector<Experiment> table = {
       row<coupling::PullOut, coupling::PullOutParameters>(
-          "pull-out", pull_out_template(), coupling::declare_pull_out, coupling::check_parameters,
+          "pull-out", pull_out_template(), coupling::declare_pull_out, coupling::check_pull_out,
           [](const coupling::PullOutParameters& p) { return p.output.report; }),
       row<coupling::Heap, coupling::HeapParameters>(
           "heap", heap_template(), coupling::declare_heap, coupling::check_heap,
@@ -58,7 +58,8 @@ const std::vector<Experiment>& experiments()
           "packing", packing_template(), coupling::declare_packing, coupling::check_packing,
           [](const coupling::PackingParameters&) { return false; }),
       row<coupling::Laboratory, coupling::LaboratoryParameters>(
-          "geogrid", geogrid_template(), coupling::declare_laboratory, coupling::check_laboratory,
+          "laboratory", laboratory_template(), coupling::declare_laboratory,
+          coupling::check_laboratory,
           [](const coupling::LaboratoryParameters& p) { return p.report; }),
   };
   return table;
@@ -66,10 +67,16 @@ const std::vector<Experiment>& experiments()
 
 const Experiment* find_experiment(const std::string& name)
 {
+  const std::string present = present_name(name);
   const auto& table = experiments();
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const Experiment& e) { return e.name == name; });
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const Experiment& e) { return e.name == present; });
   return found == table.end() ? nullptr : &*found;
+}
+
+std::string present_name(const std::string& name)
+{
+  return name == "geogrid" ? "laboratory" : name;
 }
 
 std::vector<std::string> experiment_names()

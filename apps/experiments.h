@@ -8,7 +8,7 @@
 #include "coupling/output/summary.h"
 #include "coupling/packing/packing_parameters.h"
 #include "coupling/parameters/parameter_table.h"
-#include "coupling/pull_out/check_parameters.h"
+#include "coupling/pull_out/pull_out_checks.h"
 #include "coupling/pull_out/pull_out_parameters.h"
 
 #include <filesystem>
@@ -41,8 +41,12 @@ struct Experiment {
 
 const std::vector<Experiment>& experiments();
 
-// Null when there is none of this name.
+// Null when there is none of this name, present or former.
 const Experiment* find_experiment(const std::string& name);
+
+// What an experiment of a former name is called now; any other text as it is. Files and folders of
+// users hold former names.
+std::string present_name(const std::string& name);
 
 std::vector<std::string> experiment_names();
 } // namespace interlock::apps

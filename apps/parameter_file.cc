@@ -20,7 +20,9 @@ using coupling::ParameterEntry;
 using coupling::ParameterTable;
 
 // Names that the design gives to experiments to come.
-const std::vector<std::string> planned_experiments = {"settle", "geogrid"};
+const std::vector<std::string> planned_experiments = {"settle"};
+
+constexpr const char* experiment_entry = "Experiment";
 
 const ParameterEntry* find_entry(const ParameterTable& table, const std::string& key)
 {
@@ -135,6 +137,7 @@ private:
 
   static std::string resolved(const ParameterEntry& entry, const Assignment& assignment)
   {
+    if (entry.key() == experiment_entry) return present_name(assignment.value);
     if (!entry.is_path || assignment.value.empty()) return assignment.value;
     return fs::absolute(assignment.base / assignment.value).lexically_normal().string();
   }
@@ -147,14 +150,14 @@ private:
 
 void declare_experiment(ParameterTable& table, std::string& name)
 {
-  table.require_choice("Experiment", name, experiment_names(), "What to simulate.");
+  table.require_choice(experiment_entry, name, experiment_names(), "What to simulate.");
 }
 
 // The entries that a file may have depend on the experiment: without a good one, no more than that
 // and what no line of its kind can be is said.
 const Experiment& choose_experiment(Input& input)
 {
-  const Assignment* assignment = input.find("Experiment");
+  const Assignment* assignment = input.find(experiment_entry);
   const Experiment* experiment = assignment ? find_experiment(assignment->value) : nullptr;
   if (experiment) return *experiment;
 

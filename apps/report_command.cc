@@ -1,5 +1,6 @@
 #include "apps/report_command.h"
 
+#include "apps/experiments.h"
 #include "apps/parameter_scanner.h"
 #include "dem/input_error.h"
 
@@ -18,7 +19,7 @@ namespace
 constexpr const char* python = "/usr/bin/python3";
 constexpr const char* pull_out_script = INTERLOCK_SOURCE_DIR "/apps/figures.py";
 constexpr const char* heap_script = INTERLOCK_SOURCE_DIR "/apps/heap_figures.py";
-constexpr const char* geogrid_script = INTERLOCK_SOURCE_DIR "/apps/geogrid_figures.py";
+constexpr const char* laboratory_script = INTERLOCK_SOURCE_DIR "/apps/laboratory_figures.py";
 
 // By the experiment in used.prm, which a run writes first of all.
 const char* script_for(const std::filesystem::path& folder)
@@ -27,8 +28,9 @@ const char* script_for(const std::filesystem::path& folder)
   if (!std::filesystem::is_regular_file(used)) return pull_out_script;
   for (const Assignment& assignment : scan_parameter_file(used).assignments) {
     if (assignment.key() != "Experiment") continue;
-    if (assignment.value == "heap") return heap_script;
-    if (assignment.value == "geogrid") return geogrid_script;
+    const std::string experiment = present_name(assignment.value);
+    if (experiment == "heap") return heap_script;
+    if (experiment == "laboratory") return laboratory_script;
   }
   return pull_out_script;
 }

@@ -16,7 +16,7 @@ void add_template_command(CLI::App& program)
       ->add_option("experiment", *experiment,
                    "What to simulate: " + CLI::detail::join(names, ", ") + ".")
       ->required()
-      ->check(CLI::IsMember(names));
+      ->check(CLI::IsMember(names, present_name));
   command->footer("Example: interlock template pull-out > my.prm");
   command->callback([experiment] { std::cout << find_experiment(*experiment)->template_text; });
 }

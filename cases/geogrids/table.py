@@ -22,7 +22,7 @@ def cell(row):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("runs", nargs="+", help="output folders of the experiment geogrid")
+    parser.add_argument("runs", nargs="+", help="output folders of the experiment laboratory")
     parser.add_argument("-o", "--output", required=True)
     arguments = parser.parse_args()
     names, tables, quantities = [], [], []

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "coupling/heap/heap_parameters.h"
-#include "coupling/stones/stone_library.h"
+#include "coupling/stones/stone_shapes.h"
 
 #include <vector>
 

@@ -296,7 +296,7 @@ void Laboratory::modes(const std::filesystem::path& output)
 Summary Laboratory::run(const std::filesystem::path& output)
 {
   stage_start_ = Clock::now();
-  summary_.experiment = "geogrid";
+  summary_.experiment = "laboratory";
   summary_.results["product"] = parameters_.product.name;
   history_ = std::make_unique<History>(
       output / "history.csv",

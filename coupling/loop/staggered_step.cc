@@ -9,7 +9,7 @@ StaggeredStep::StaggeredStep(dem::Engine& engine, const dem::ContactProperties& 
 {
 }
 
-void StaggeredStep::place_geogrid(Geogrid& geogrid)
+void StaggeredStep::place_geogrid(RibTransfer& geogrid)
 {
   geogrid_ = &geogrid;
   rib_contacts_.clear();

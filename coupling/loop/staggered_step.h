@@ -9,7 +9,7 @@
 #pragma once
 
 #include "coupling/loop/energy_ledger.h"
-#include "coupling/loop/geogrid.h"
+#include "coupling/loop/rib_transfer.h"
 #include "dem/engine/engine.h"
 
 namespace interlock::coupling
@@ -21,7 +21,7 @@ public:
   StaggeredStep(dem::Engine& engine, const dem::ContactProperties& stone_on_rib);
 
   // From now on the geogrid takes part; its energy at this moment is booked as inserted.
-  void place_geogrid(Geogrid& geogrid);
+  void place_geogrid(RibTransfer& geogrid);
 
   // Advances everything by dt [s]. `clamp_velocity` holds for the whole step [m/s]. With `ledger`,
   // fills it for the beginning of this step.
@@ -34,7 +34,7 @@ public:
   const dem::Vector3& clamp_force() const { return clamp_force_; }
   int substeps() const { return substeps_; }
   const dem::RibContacts& rib_contacts() const { return rib_contacts_; }
-  const Geogrid* geogrid() const { return geogrid_; }
+  const RibTransfer* geogrid() const { return geogrid_; }
 
 private:
   void substep(double h, const dem::Vector3& clamp_velocity);
@@ -43,7 +43,7 @@ private:
   void book(EnergyLedger& ledger, double dt) const;
 
   dem::Engine& engine_;
-  Geogrid* geogrid_ = nullptr;
+  RibTransfer* geogrid_ = nullptr;
   dem::RibContacts rib_contacts_;
   dem::ContactEnergy rib_energy_;
   double geogrid_inserted_ = 0;                // energy of the lattice when it was placed [J]

@@ -77,7 +77,7 @@ void FieldFrames::write_clumps(double time, const dem::Engine& engine)
   clumps_.write(time, points, {}, {radius, id, velocity, displacement});
 }
 
-void FieldFrames::write_geogrid(double time, const Geogrid& geogrid)
+void FieldFrames::write_geogrid(double time, const RibTransfer& geogrid)
 {
   const fem::Lattice& lattice = geogrid.lattice();
   const fem::ExplicitDynamics& dynamics = geogrid.dynamics();

@@ -25,7 +25,7 @@ public:
 
 private:
   void write_clumps(double time, const dem::Engine& engine);
-  void write_geogrid(double time, const Geogrid& geogrid);
+  void write_geogrid(double time, const RibTransfer& geogrid);
   void write_contacts(double time, const dem::Engine& engine,
                       const std::vector<dem::RibContact>& rib_contacts);
 

@@ -1,7 +1,7 @@
 // Time of the hot loops, apart: one step of the beams of the pull-out lattice, one step of settled
 // stones. Run with: cmake --build build/release --target benchmarks &&
 // build/release/tests/benchmark_steps
-#include "coupling/loop/geogrid.h"
+#include "coupling/loop/rib_transfer.h"
 #include "dem/engine/engine.h"
 #include "dem/random_stream.h"
 
@@ -61,7 +61,7 @@ dem::Engine settled_stones()
 
 static void beam_step(benchmark::State& state)
 {
-  coupling::Geogrid grid = coupling::Geogrid::biaxial(
+  coupling::RibTransfer grid = coupling::RibTransfer::biaxial(
       geogrid(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))), Vector3::Zero(),
       9.81);
   for (auto _ : state) grid.dynamics().step(1e-6);

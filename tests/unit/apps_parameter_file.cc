@@ -1,12 +1,13 @@
 // Parameter files. It takes a case or the template with a value that is not the paper's (Table 6
 // and section 4 of Ferellec and McDowell 2010), an override or an include that does not win, a path
-// that is relative to the wrong folder, or a used.prm that does not give the same run again, to
-// fail.
+// that is relative to the wrong folder, a former name of an experiment that is refused, or a
+// used.prm that does not give the same run again, to fail.
 #include "apps/parameter_file.h"
 
 #include "apps/case_templates.h"
 #include "apps/nearest_name.h"
 #include "apps/parameter_scanner.h"
+#include "apps/template_command.h"
 #include "dem/input_error.h"
 #include "tests/temporary_folder.h"
 
@@ -111,6 +112,20 @@ TEST_F(ParameterFile, FolderOfStonesIsRelativeToTheFileThatNamesIt)
   const auto p = pull_out(file);
   EXPECT_EQ(fs::canonical(p.stones.folder), fs::canonical(folder / "scans"));
   EXPECT_TRUE(fs::path(p.stones.folder).is_absolute());
+}
+
+TEST_F(ParameterFile, LaboratoryIsKnownByItsFormerNameToo)
+{
+  const auto file = write("product.prm", apps::laboratory_template());
+  const auto input = apps::read_parameter_file(file, {"Experiment=geogrid"});
+  EXPECT_EQ(input.experiment->name, "laboratory");
+  EXPECT_EQ(input.used, apps::read_parameter_file(file, {}).used);
+
+  CLI::App program;
+  apps::add_template_command(program);
+  testing::internal::CaptureStdout();
+  program.parse("template geogrid");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), apps::laboratory_template());
 }
 
 TEST_F(ParameterFile, BenchmarkCasesAreOfTheSameBox)

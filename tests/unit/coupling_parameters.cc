@@ -1,7 +1,7 @@
 // The entries of a pull-out file. It takes a member that no entry fills, two entries that fill the
 // same member, a range that lets an impossible value pass, a text without its unit, or a
 // contradiction between entries that nobody notices, to fail.
-#include "coupling/pull_out/check_parameters.h"
+#include "coupling/pull_out/pull_out_checks.h"
 #include "coupling/pull_out/pull_out_declarations.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ PullOutParameters fitting_parameters()
 std::vector<std::string> entries_with_problems(const PullOutParameters& parameters)
 {
   std::vector<std::string> entries;
-  for (const ParameterProblem& problem : check_parameters(parameters))
+  for (const ParameterProblem& problem : check_pull_out(parameters))
     entries.push_back(problem.entry);
   return entries;
 }

@@ -24,7 +24,7 @@ fem::RibSection rib_section()
   return section;
 }
 
-coupling::Geogrid cross(double mass_damping)
+coupling::RibTransfer cross(double mass_damping)
 {
   std::vector<fem::RibLine> lines;
   for (const Vector3& direction : {Vector3(half_length, 0, 0), Vector3(0, half_length, 0)}) {
@@ -38,7 +38,7 @@ coupling::Geogrid cross(double mass_damping)
     if (lattice.reference_position(node).norm() > half_length - 1e-9) ends.push_back(node);
   fem::DynamicsOptions options; // weightless ribs
   options.mass_damping = mass_damping;
-  return coupling::Geogrid(std::move(lattice), options, ends, false, 5e-4);
+  return coupling::RibTransfer(std::move(lattice), options, ends, false, 5e-4);
 }
 
 dem::ContactProperties contact(double damping_ratio)
@@ -95,7 +95,7 @@ struct Drop {
 // Drops the ball from 20 mm and watches 0.15 s.
 Drop drop_at(double x, double y, double damping_ratio)
 {
-  coupling::Geogrid geogrid = cross(0);
+  coupling::RibTransfer geogrid = cross(0);
   dem::Engine engine = ball_above(0.02, damping_ratio, x, y);
   coupling::StaggeredStep loop(engine, contact(damping_ratio));
   loop.place_geogrid(geogrid);
@@ -117,7 +117,7 @@ Drop drop_at(double x, double y, double damping_ratio)
 
 TEST(BallOnCross, StaticDeflectionIsThatOfTwoBeams)
 {
-  coupling::Geogrid geogrid = cross(2000);
+  coupling::RibTransfer geogrid = cross(2000);
   dem::Engine engine = ball_above(0, 0.1);
   coupling::StaggeredStep loop(engine, contact(0.1));
   loop.place_geogrid(geogrid);

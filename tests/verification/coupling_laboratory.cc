@@ -15,7 +15,7 @@ using namespace interlock::coupling;
 
 namespace
 {
-class GeogridExperiment : public TemporaryFolderTest
+class LaboratoryExperiment : public TemporaryFolderTest
 {
 protected:
   LaboratoryParameters parameters() const
@@ -57,7 +57,7 @@ protected:
 };
 } // namespace
 
-TEST_F(GeogridExperiment, CantileverFromAGmshFile)
+TEST_F(LaboratoryExperiment, CantileverFromAGmshFile)
 {
   write_rib(100, 16);
   LaboratoryParameters p = parameters();
@@ -78,7 +78,7 @@ TEST_F(GeogridExperiment, CantileverFromAGmshFile)
 
 // (1.8751041/L)^2 sqrt(EI/(rho A))/(2 pi), lumped masses of 64 elements: second order, 2e-4; shear
 // and rotary inertia less.
-TEST_F(GeogridExperiment, FrequencyOfACantilever)
+TEST_F(LaboratoryExperiment, FrequencyOfACantilever)
 {
   write_rib(100, 64);
   LaboratoryParameters p = parameters();
@@ -95,7 +95,7 @@ TEST_F(GeogridExperiment, FrequencyOfACantilever)
   EXPECT_TRUE(std::filesystem::exists(folder / "modes.xdmf"));
 }
 
-TEST_F(GeogridExperiment, SheetHasTheStiffnessOfItsDataSheet)
+TEST_F(LaboratoryExperiment, SheetHasTheStiffnessOfItsDataSheet)
 {
   LaboratoryParameters p = parameters();
   p.product.along = {0.004, 0.002, 0, 300000, 240000, 30000};
@@ -110,7 +110,7 @@ TEST_F(GeogridExperiment, SheetHasTheStiffnessOfItsDataSheet)
 }
 
 // Ribs are softened so that the sheet keeps its stiffness at small strain with thick junctions.
-TEST_F(GeogridExperiment, ThickJunctionsKeepTheStiffnessOfTheSheet)
+TEST_F(LaboratoryExperiment, ThickJunctionsKeepTheStiffnessOfTheSheet)
 {
   LaboratoryParameters p = parameters();
   p.product.along = {0.004, 0.002, 0, 300000, 0, 0};

@@ -23,7 +23,7 @@ dem::ContactProperties contact(double stiffness, double friction, double damping
 }
 
 // One rib of 8 elements, both ends clamped, twisted by `twist` an element [rad].
-coupling::Geogrid twisted_rib(double twist)
+coupling::RibTransfer twisted_rib(double twist)
 {
   const fem::RibSection section{5e-3, 2.5e-3, 2.4e9, 0.3, 910};
   std::vector<fem::RibLine> lines = {
@@ -31,7 +31,7 @@ coupling::Geogrid twisted_rib(double twist)
   lines.back().shape = section;
   fem::DynamicsOptions options;
   options.mass_damping = 100;
-  coupling::Geogrid geogrid(fem::Lattice(lines), options, {0, 8}, false, 5e-4);
+  coupling::RibTransfer geogrid(fem::Lattice(lines), options, {0, 8}, false, 5e-4);
   fem::LatticeState state = geogrid.dynamics().state();
   for (int node = 0; node <= 8; ++node)
     state.orientation[node] = Eigen::AngleAxisd(twist * (node - 4), Vector3::UnitX());
@@ -59,7 +59,7 @@ class TwistedRib : public testing::TestWithParam<double>
 
 TEST_P(TwistedRib, TakesTheEnergyThatTheBallGives)
 {
-  coupling::Geogrid geogrid = twisted_rib(GetParam());
+  coupling::RibTransfer geogrid = twisted_rib(GetParam());
   dem::ClumpShape ball;
   ball.spheres = {{Vector3::Zero(), ball_radius}};
   ball.volume = 4 * M_PI / 3 * std::pow(ball_radius, 3);

@@ -14,13 +14,13 @@ using namespace interlock;
 
 namespace
 {
-class BadGeogrid : public TemporaryFolderTest
+class BadLaboratory : public TemporaryFolderTest
 {
 protected:
   void SetUp() override
   {
     TemporaryFolderTest::SetUp();
-    write("product.prm", apps::geogrid_template());
+    write("product.prm", apps::laboratory_template());
   }
 
   void expect(const std::vector<std::string>& changes, const std::string& entry,
@@ -40,7 +40,7 @@ protected:
 };
 } // namespace
 
-TEST_F(BadGeogrid, ValuesAndNames)
+TEST_F(BadLaboratory, ValuesAndNames)
 {
   expect({"Product/Pitch along=0"}, "Product/Pitch along", {"0", "greater than 0", "m"});
   expect({"Product/Rib thickness along=-1e-3"}, "Product/Rib thickness along",
@@ -55,7 +55,7 @@ TEST_F(BadGeogrid, ValuesAndNames)
   expect({"Product/Youngs modulus along=2e9"}, "Product/Youngs modulus along", {"Either"});
 }
 
-TEST_F(BadGeogrid, WhatOnlyTheLatticeCanTell)
+TEST_F(BadLaboratory, WhatOnlyTheLatticeCanTell)
 {
   expect_when_prepared({"Product/Stiffness at 5 % along=300000"}, "5 %", {"stiff"});
   const std::string loaded = "Laboratory/Test=supports and loads";
@@ -67,13 +67,13 @@ TEST_F(BadGeogrid, WhatOnlyTheLatticeCanTell)
                        "Laboratory/Loads", {"\"q\"", "fx"});
 }
 
-TEST_F(BadGeogrid, MoreModesThanFreedoms)
+TEST_F(BadLaboratory, MoreModesThanFreedoms)
 {
   expect_when_prepared({"Laboratory/Test=modes", "Laboratory/Modes=9999"}, "Laboratory/Modes",
                        {"9999", "at most", "freedoms"});
 }
 
-TEST_F(BadGeogrid, LatticeFiles)
+TEST_F(BadLaboratory, LatticeFiles)
 {
   const std::string loaded = "Laboratory/Test=supports and loads";
   write("text.msh", "nothing of Gmsh\n");
@@ -83,7 +83,7 @@ TEST_F(BadGeogrid, LatticeFiles)
                        "none.msh", {"Lattice file"});
 }
 
-TEST_F(BadGeogrid, EveryProductCanBeRead)
+TEST_F(BadLaboratory, EveryProductCanBeRead)
 {
   int products = 0;
   for (const auto& file :

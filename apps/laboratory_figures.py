@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Pictures of a finished laboratory test of a geogrid.
 
-    geogrid_figures.py RUN_DIR     curves.png and TEST.png (the deformed piece) in RUN_DIR/figures
+    laboratory_figures.py RUN_DIR     curves.png and TEST.png (the deformed piece) in RUN_DIR/figures
 
 Reads history.csv, table.csv and TEST.xdmf. Ends with 2 when the folder holds no history at all.
 """
@@ -143,7 +143,7 @@ def save(figure, target):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("run", help="output folder of the experiment geogrid")
+    parser.add_argument("run", help="output folder of the experiment laboratory")
     run = parser.parse_args().run
     rows = read_rows(os.path.join(run, "history.csv"))
     if not rows:

@@ -1,4 +1,4 @@
-#include "coupling/pull_out/check_parameters.h"
+#include "coupling/pull_out/pull_out_checks.h"
 
 #include "coupling/parameters/stone_declarations.h"
 
@@ -76,7 +76,7 @@ void check_pull(const PullParameters& pull, const GeogridParameters& geogrid,
 }
 } // namespace
 
-std::vector<ParameterProblem> check_parameters(const PullOutParameters& parameters)
+std::vector<ParameterProblem> check_pull_out(const PullOutParameters& parameters)
 {
   ParameterProblems problems;
   check_stones(parameters.stones, problems);

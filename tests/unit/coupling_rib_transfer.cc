@@ -1,6 +1,6 @@
 // From contact wrenches to nodal loads and back. Fails when force, moment or power is lost between
 // the ribs of dem and the elements of fem.
-#include "coupling/loop/geogrid.h"
+#include "coupling/loop/rib_transfer.h"
 
 #include "dem/random_stream.h"
 
@@ -28,11 +28,11 @@ coupling::GeogridParameters small_geogrid()
 } // namespace
 
 // The rigid geogrid held still: the reaction of its clamp is minus the sum of the wrenches' forces.
-TEST(Geogrid, ClampCarriesTheForcesOfTheStones)
+TEST(RibTransfer, ClampCarriesTheForcesOfTheStones)
 {
   coupling::GeogridParameters p = small_geogrid();
   p.rigid = true;
-  coupling::Geogrid geogrid = coupling::Geogrid::biaxial(p, Vector3::Zero(), 0);
+  coupling::RibTransfer geogrid = coupling::RibTransfer::biaxial(p, Vector3::Zero(), 0);
   dem::RandomStream random(2);
   Vector3 sum = Vector3::Zero();
   std::vector<dem::RibWrench> wrenches;
@@ -52,10 +52,10 @@ TEST(Geogrid, ClampCarriesTheForcesOfTheStones)
 
 // A free lattice hit by wrenches from rest: its momentum and its angular momentum about the origin
 // are those of the impulses, to rounding.
-TEST(Geogrid, ForceAndMomentReachTheNodes)
+TEST(RibTransfer, ForceAndMomentReachTheNodes)
 {
-  coupling::Geogrid geogrid =
-      coupling::Geogrid::biaxial(small_geogrid(), Vector3(-0.05, 0.01, 0.02), 0);
+  coupling::RibTransfer geogrid =
+      coupling::RibTransfer::biaxial(small_geogrid(), Vector3(-0.05, 0.01, 0.02), 0);
   fem::ExplicitDynamics& d = geogrid.dynamics();
   d.clamp({});
   dem::RandomStream random(3);
@@ -87,9 +87,10 @@ TEST(Geogrid, ForceAndMomentReachTheNodes)
   EXPECT_LT((angular - 0.5 * h * moment).norm(), 1e-12 * h * moment.norm());
 }
 
-TEST(Geogrid, RibsFollowTheLattice)
+TEST(RibTransfer, RibsFollowTheLattice)
 {
-  coupling::Geogrid geogrid = coupling::Geogrid::biaxial(small_geogrid(), Vector3::Zero(), 9.81);
+  coupling::RibTransfer geogrid =
+      coupling::RibTransfer::biaxial(small_geogrid(), Vector3::Zero(), 9.81);
   for (int n = 0; n < 200; ++n) geogrid.dynamics().step(1e-6);
   geogrid.refresh_all_ribs();
   for (int r = 0; r < geogrid.lattice().n_elements(); ++r)

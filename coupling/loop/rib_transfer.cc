@@ -1,4 +1,4 @@
-#include "coupling/loop/geogrid.h"
+#include "coupling/loop/rib_transfer.h"
 
 #include "fem/layouts/biaxial_layout.h"
 
@@ -30,18 +30,19 @@ fem::BiaxialLayout biaxial_layout(const GeogridParameters& p, const dem::Vector3
 }
 } // namespace
 
-Geogrid Geogrid::biaxial(const GeogridParameters& p, const dem::Vector3& front, double gravity)
+RibTransfer RibTransfer::biaxial(const GeogridParameters& p, const dem::Vector3& front,
+                                 double gravity)
 {
   fem::Lattice lattice(rib_lines(biaxial_layout(p, front)));
   fem::DynamicsOptions options;
   options.gravity = {0, 0, -gravity};
   options.mass_damping = p.mass_damping;
   const std::vector<int> front_edge = lattice.front_edge_nodes();
-  return Geogrid(std::move(lattice), options, front_edge, p.rigid, p.edge_rounding);
+  return RibTransfer(std::move(lattice), options, front_edge, p.rigid, p.edge_rounding);
 }
 
-Geogrid::Geogrid(fem::Lattice lattice, const fem::DynamicsOptions& options,
-                 const std::vector<int>& clamped, bool rigid, double edge_rounding)
+RibTransfer::RibTransfer(fem::Lattice lattice, const fem::DynamicsOptions& options,
+                         const std::vector<int>& clamped, bool rigid, double edge_rounding)
     : rigid_(rigid), lattice_(std::make_unique<fem::Lattice>(std::move(lattice))),
       dynamics_(std::make_unique<fem::ExplicitDynamics>(*lattice_, options))
 {
@@ -69,7 +70,7 @@ Geogrid::Geogrid(fem::Lattice lattice, const fem::DynamicsOptions& options,
   refresh_all_ribs();
 }
 
-void Geogrid::refresh_rib(int r)
+void RibTransfer::refresh_rib(int r)
 {
   dem::Rib& rib = ribs_[r];
   for (int end : {0, 1}) {
@@ -80,17 +81,17 @@ void Geogrid::refresh_rib(int r)
   }
 }
 
-void Geogrid::refresh_ribs(const std::vector<int>& which)
+void RibTransfer::refresh_ribs(const std::vector<int>& which)
 {
   for (const int r : which) refresh_rib(r);
 }
 
-void Geogrid::refresh_all_ribs()
+void RibTransfer::refresh_all_ribs()
 {
   for (int r = 0; r < static_cast<int>(ribs_.size()); ++r) refresh_rib(r);
 }
 
-void Geogrid::apply(const std::vector<dem::RibWrench>& wrenches)
+void RibTransfer::apply(const std::vector<dem::RibWrench>& wrenches)
 {
   dynamics_->clear_loads();
   for (const dem::RibWrench& w : wrenches) {
@@ -100,7 +101,7 @@ void Geogrid::apply(const std::vector<dem::RibWrench>& wrenches)
   }
 }
 
-int Geogrid::required_substeps(double dt, const dem::RibContacts& contacts) const
+int RibTransfer::required_substeps(double dt, const dem::RibContacts& contacts) const
 {
   if (rigid_) return 1;
   const dem::ContactProperties& pair = contacts.properties();

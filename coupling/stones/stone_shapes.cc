@@ -1,4 +1,4 @@
-#include "coupling/stones/stone_library.h"
+#include "coupling/stones/stone_shapes.h"
 
 #include "dem/generator/clump_generator.h"
 #include "dem/input_error.h"

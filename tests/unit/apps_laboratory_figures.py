@@ -1,8 +1,8 @@
-"""The figure script of geogrids on a small made-up run.
+"""The figure script of laboratory tests on a small made-up run.
 
 Fails when a figure is not written, when a folder without history is not answered with one sentence and status 2,
 when absent fields stop the other figures, or when a view is drawn in which the piece is a line.
-Run by ctest: apps_geogrid_figures.py APPS_FOLDER
+Run by ctest: apps_laboratory_figures.py APPS_FOLDER
 """
 
 import os
@@ -15,7 +15,7 @@ import numpy as np
 
 APPS = os.path.abspath(sys.argv.pop())
 sys.path.insert(0, APPS)
-import geogrid_figures
+import laboratory_figures
 
 HISTORY = """test,deformation_name,deformation,load_name,load
 wide-width tension along,strain [-],0,force_per_width [N/m],0
@@ -31,7 +31,7 @@ TABLE = """quantity,unit,measured,stated
 
 class Figures(unittest.TestCase):
     def run_script(self, folder):
-        return subprocess.run(["/usr/bin/python3", os.path.join(APPS, "geogrid_figures.py"), folder],
+        return subprocess.run(["/usr/bin/python3", os.path.join(APPS, "laboratory_figures.py"), folder],
                               capture_output=True, text=True)
 
     def test_curves_without_fields(self):
@@ -53,14 +53,14 @@ class Figures(unittest.TestCase):
     def test_stated_forces_belong_to_their_test(self):
         rows = [{"quantity": "wide-width tension, along, force at 2 %", "stated": "4.0"},
                 {"quantity": "mass per area", "stated": ""}]
-        self.assertEqual(geogrid_figures.stated_forces(rows), {"wide-width tension along": [(2.0, 4.0)]})
+        self.assertEqual(laboratory_figures.stated_forces(rows), {"wide-width tension along": [(2.0, 4.0)]})
 
     def test_views(self):
         flat = np.array([[0, 0, 0], [1, 1, 0]], dtype=float)
         hanging = np.array([[0, 0, 0], [1, 0, -1]], dtype=float)
-        self.assertEqual(geogrid_figures.views_of(flat), ["plan"])
-        self.assertEqual(geogrid_figures.views_of(hanging), ["side"])
-        self.assertEqual(geogrid_figures.views_of(np.concatenate([flat, hanging])), ["plan", "side"])
+        self.assertEqual(laboratory_figures.views_of(flat), ["plan"])
+        self.assertEqual(laboratory_figures.views_of(hanging), ["side"])
+        self.assertEqual(laboratory_figures.views_of(np.concatenate([flat, hanging])), ["plan", "side"])
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-// The geogrid in the coupled loop: the beam lattice, its ribs as dem sees them, and its clamp.
+// The transfer between the two sides of the geogrid: motion goes from the beam lattice of fem to
+// the ribs of dem, contact wrenches go from the ribs to the nodes of the lattice.
 #pragma once
 
 #include "coupling/parameters/geogrid_parameters.h"
@@ -9,20 +10,20 @@
 
 namespace interlock::coupling
 {
-// Owns the lattice and its motion. Rib r of dem is element r of fem: that is the whole map between
-// them.
-class Geogrid
+// Owns the lattice, its motion and its clamp. Rib r of dem is element r of fem: that is the whole
+// map between them.
+class RibTransfer
 {
 public:
   // `clamped` nodes are moved by the clamp, all of them for a rigid geogrid; `edge_rounding` is the
   // radius of the ribs' edges [m]. The outer sizes of the ribs are those of the lattice's lines.
-  Geogrid(fem::Lattice lattice, const fem::DynamicsOptions& options,
-          const std::vector<int>& clamped, bool rigid, double edge_rounding);
+  RibTransfer(fem::Lattice lattice, const fem::DynamicsOptions& options,
+              const std::vector<int>& clamped, bool rigid, double edge_rounding);
 
   // The geogrid of a pull-out test. `front` is the middle of the front transverse rib, the one that
   // the clamp holds; the lattice lies flat behind it, along +x [m]. `gravity` acts along -z [m/s2].
-  static Geogrid biaxial(const GeogridParameters& parameters, const dem::Vector3& front,
-                         double gravity);
+  static RibTransfer biaxial(const GeogridParameters& parameters, const dem::Vector3& front,
+                             double gravity);
 
   const fem::Lattice& lattice() const { return *lattice_; }
   fem::ExplicitDynamics& dynamics() { return *dynamics_; }

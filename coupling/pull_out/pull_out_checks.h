@@ -9,5 +9,5 @@ namespace interlock::coupling
 // All contradictions, in the order of the sections; empty when the parameters can be run. Every
 // number must be inside its own range already. Looks at the stones folder, changes nothing, never
 // throws.
-std::vector<ParameterProblem> check_parameters(const PullOutParameters& parameters);
+std::vector<ParameterProblem> check_pull_out(const PullOutParameters& parameters);
 } // namespace interlock::coupling
