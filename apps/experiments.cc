@@ -9,6 +9,8 @@
 #include "coupling/packing/packing_declarations.h"
 #include "coupling/pull_out/pull_out.h"
 #include "coupling/pull_out/pull_out_declarations.h"
+#include "coupling/run/run.h"
+#include "dem/input_error.h"
 
 #include <algorithm>
 #include <memory>
@@ -17,12 +19,51 @@ namespace interlock::apps
 {
 namespace
 {
-// A row of the table from functions that know their own parameters only. `Simulation` is made of
-// parameters and monitor, and has `Summary run(output)`.
+// An experiment that runs through stages (coupling/run/run.h).
 template <class Simulation, class Parameters>
+ReadyExperiment staged(const Parameters& parameters, double checkpoint_interval,
+                       const coupling::RunRequest& request)
+{
+  auto simulation = std::make_shared<Simulation>(parameters);
+  if (!request.resume) simulation->prepare(request.monitor, request.entries);
+  return [=](coupling::RunRequest run) {
+    run.checkpoint_interval = checkpoint_interval;
+    return coupling::Run<Simulation>(*simulation, run).run();
+  };
+}
+
+ReadyExperiment pull_out(const coupling::PullOutParameters& p, const coupling::RunRequest& request)
+{
+  return staged<coupling::PullOut>(p, p.output.checkpoint_interval, request);
+}
+
+ReadyExperiment heap(const coupling::HeapParameters& p, const coupling::RunRequest& request)
+{
+  return staged<coupling::Heap>(p, p.output.checkpoint_interval, request);
+}
+
+// Nothing but the end of a stage interrupts what is timed.
+ReadyExperiment packing(const coupling::PackingParameters& p, const coupling::RunRequest& request)
+{
+  return staged<coupling::Packing>(p, 0, request);
+}
+
+// Solves for equilibrium: there is no state to go on from but the last test that ended.
+ReadyExperiment laboratory(const coupling::LaboratoryParameters& p,
+                           const coupling::RunRequest& request)
+{
+  if (request.resume)
+    throw InputError("The experiment \"laboratory\" keeps no state to resume from; start it anew.");
+  auto simulation = std::make_shared<coupling::Laboratory>(p, request.monitor);
+  return [=](const coupling::RunRequest& run) { return simulation->run(run.folder); };
+}
+
+// A row of the table from functions that know their own parameters only.
+template <class Parameters>
 Experiment row(const std::string& name, const char* template_text,
                void (*declare)(coupling::ParameterTable&, Parameters&),
                std::vector<coupling::ParameterProblem> (*check)(const Parameters&),
+               ReadyExperiment (*prepare)(const Parameters&, const coupling::RunRequest&),
                bool (*draws_figures)(const Parameters&))
 {
   const auto mine = [](const ExperimentParameters& p) -> const Parameters& {
@@ -36,9 +77,8 @@ Experiment row(const std::string& name, const char* template_text,
     declare(table, std::get<Parameters>(p));
   };
   experiment.check = [=](const ExperimentParameters& p) { return check(mine(p)); };
-  experiment.prepare = [=](const ExperimentParameters& p, const coupling::Monitor& monitor) {
-    auto simulation = std::make_shared<Simulation>(mine(p), monitor);
-    return [simulation](const std::filesystem::path& output) { return simulation->run(output); };
+  experiment.prepare = [=](const ExperimentParameters& p, const coupling::RunRequest& request) {
+    return prepare(mine(p), request);
   };
   experiment.draws_figures = [=](const ExperimentParameters& p) { return draws_figures(mine(p)); };
   return experiment;
@@ -48,18 +88,18 @@ Experiment row(const std::string& name, const char* template_text,
 const std::vector<Experiment>& experiments()
 {
   static const std::vector<Experiment> table = {
-      row<coupling::PullOut, coupling::PullOutParameters>(
+      row<coupling::PullOutParameters>(
           "pull-out", pull_out_template(), coupling::declare_pull_out, coupling::check_pull_out,
-          [](const coupling::PullOutParameters& p) { return p.output.report; }),
-      row<coupling::Heap, coupling::HeapParameters>(
-          "heap", heap_template(), coupling::declare_heap, coupling::check_heap,
+          pull_out, [](const coupling::PullOutParameters& p) { return p.output.report; }),
+      row<coupling::HeapParameters>(
+          "heap", heap_template(), coupling::declare_heap, coupling::check_heap, heap,
           [](const coupling::HeapParameters& p) { return p.output.report; }),
-      row<coupling::Packing, coupling::PackingParameters>(
+      row<coupling::PackingParameters>(
           "packing", packing_template(), coupling::declare_packing, coupling::check_packing,
-          [](const coupling::PackingParameters&) { return false; }),
-      row<coupling::Laboratory, coupling::LaboratoryParameters>(
+          packing, [](const coupling::PackingParameters&) { return false; }),
+      row<coupling::LaboratoryParameters>(
           "laboratory", laboratory_template(), coupling::declare_laboratory,
-          coupling::check_laboratory,
+          coupling::check_laboratory, laboratory,
           [](const coupling::LaboratoryParameters& p) { return p.report; }),
   };
   return table;

@@ -10,6 +10,7 @@
 #include "coupling/parameters/parameter_table.h"
 #include "coupling/pull_out/pull_out_checks.h"
 #include "coupling/pull_out/pull_out_parameters.h"
+#include "coupling/run/run_request.h"
 
 #include <filesystem>
 #include <functional>
@@ -23,8 +24,9 @@ using ExperimentParameters =
     std::variant<coupling::PullOutParameters, coupling::HeapParameters, coupling::PackingParameters,
                  coupling::LaboratoryParameters>;
 
-// An experiment that has accepted its parameters. Writes its files into `output`, which must exist.
-using ReadyExperiment = std::function<coupling::Summary(const std::filesystem::path& output)>;
+// An experiment that has accepted its parameters. Writes its files into the folder of the request,
+// which must exist.
+using ReadyExperiment = std::function<coupling::Summary(const coupling::RunRequest& request)>;
 
 struct Experiment {
   std::string name;
@@ -34,8 +36,9 @@ struct Experiment {
   std::function<void(coupling::ParameterTable&, ExperimentParameters&)> declare;
   // What no single entry's range can tell.
   std::function<std::vector<coupling::ParameterProblem>(const ExperimentParameters&)> check;
-  // Throws InputError when the parameters cannot be run; writes nothing.
-  std::function<ReadyExperiment(const ExperimentParameters&, const coupling::Monitor&)> prepare;
+  // Throws InputError when the parameters cannot be run; writes nothing. Of the request it heeds what
+  // the folder need not exist for: entries, resume, monitor.
+  std::function<ReadyExperiment(const ExperimentParameters&, const coupling::RunRequest&)> prepare;
   std::function<bool(const ExperimentParameters&)> draws_figures; // at the end of a run
 };
 

@@ -22,8 +22,13 @@ void catch_interruption()
   std::signal(SIGTERM, mark_interruption);
 }
 
+bool is_interrupted()
+{
+  return interrupted != 0;
+}
+
 void throw_if_interrupted()
 {
-  if (interrupted != 0) throw Interrupted();
+  if (is_interrupted()) throw Interrupted();
 }
 } // namespace interlock::apps

@@ -3,18 +3,24 @@
 #pragma once
 
 #include <exception>
+#include <string>
 
 namespace interlock::apps
 {
 class Interrupted : public std::exception
 {
 public:
-  const char* what() const noexcept override { return "interrupted"; }
+  explicit Interrupted(std::string sentence = "interrupted") : sentence_(std::move(sentence)) {}
+  const char* what() const noexcept override { return sentence_.c_str(); }
+
+private:
+  std::string sentence_;
 };
 
 // From now on SIGINT and SIGTERM only leave a mark; a second one ends the program at once.
 void catch_interruption();
 
-// Throws Interrupted once the mark is there.
+// Whether the mark is there; throws Interrupted once it is.
+bool is_interrupted();
 void throw_if_interrupted();
 } // namespace interlock::apps

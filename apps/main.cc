@@ -100,8 +100,8 @@ int run_program(const int argc, char** argv)
   } catch (const interlock::InputError& error) {
     print_errors(error.what());
     return bad_input;
-  } catch (const apps::Interrupted&) {
-    std::cerr << "interlock: interrupted.\n";
+  } catch (const apps::Interrupted& error) {
+    std::cerr << "interlock: " << error.what() << '\n';
     return interrupted;
   } catch (const std::exception& error) {
     std::cerr << "interlock: the run failed: " << error.what() << '\n';

@@ -198,6 +198,8 @@ RunInput read_parameter_file(const fs::path& file, const std::vector<std::string
     input.add_problem(problem);
   input.throw_errors();
 
+  for (const ParameterEntry& entry : table.entries())
+    result.entries.push_back({entry.key(), table.get(entry)});
   std::ostringstream used;
   coupling::write_parameters(used, table);
   result.used = used.str();

@@ -6,6 +6,8 @@
 #include "apps/progress.h"
 #include "apps/report_command.h"
 #include "coupling/files/atomic_file.h"
+#include "coupling/run/checkpoints.h"
+#include "coupling/run/run_failure.h"
 #include "coupling/output/summary.h"
 
 #include <fstream>
@@ -24,6 +26,7 @@ struct RunArguments {
   std::string file;
   std::vector<std::string> overrides;
   std::string output;
+  bool resume = false;
 };
 
 // run.log: kept in memory until the input is known to be good and the folder exists.
@@ -32,9 +35,9 @@ class RunLog
 public:
   std::ostream& stream() { return stream_; }
 
-  void open(const fs::path& file)
+  void open(const fs::path& file, bool go_on)
   {
-    file_.open(file);
+    file_.open(file, go_on ? std::ios::app : std::ios::trunc);
     file_ << early_.str();
     stream_.rdbuf(file_.rdbuf());
   }
@@ -51,7 +54,7 @@ coupling::Monitor monitor_for(ProgressDisplay& display)
             throw_if_interrupted();
             display.show(progress);
           },
-          [&display](const std::string& sentence) { display.message(sentence); }};
+          [&display](const std::string& sentence) { display.message(sentence); }, is_interrupted};
 }
 
 std::string closing_text(const coupling::Summary& summary, const fs::path& folder)
@@ -70,33 +73,61 @@ std::string closing_text(const coupling::Summary& summary, const fs::path& folde
 }
 
 // Nothing is written before the experiment has accepted its parameters.
-coupling::Summary simulate(const RunInput& input, const fs::path& folder, RunLog& log,
-                           const coupling::Monitor& monitor)
+coupling::Summary simulate(const RunInput& input, coupling::RunRequest request, RunLog& log)
 {
-  const ReadyExperiment experiment = input.experiment->prepare(input.parameters, monitor);
-  create_output_folder(folder);
-  log.open(folder / "run.log");
-  coupling::write_atomically(folder / "used.prm", input.used);
+  const ReadyExperiment experiment = input.experiment->prepare(input.parameters, request);
+  create_output_folder(request.folder);
+  log.open(request.folder / "run.log", request.resume);
+  coupling::write_atomically(request.folder / "used.prm", input.used);
 
-  coupling::Summary summary = experiment(folder);
+  coupling::Summary summary = experiment(request);
   summary.version = INTERLOCK_VERSION;
-  coupling::write_summary(folder / "summary.json", summary);
+  coupling::write_summary(request.folder / "summary.json", summary);
   return summary;
+}
+
+// What to type to go on, as it was typed.
+std::string resume_line(const RunArguments& arguments)
+{
+  std::string line = "interlock run " + arguments.file;
+  for (const std::string& entry : arguments.overrides) line += " --set \"" + entry + '"';
+  if (!arguments.output.empty()) line += " --output " + arguments.output;
+  return line + " --resume";
+}
+
+coupling::RunRequest request_for(const RunArguments& arguments, const RunInput& input,
+                                 ProgressDisplay& display)
+{
+  coupling::RunRequest request;
+  request.folder =
+      arguments.output.empty() ? default_output_folder(arguments.file) : fs::path(arguments.output);
+  check_output_folder(request.folder);
+  request.entries = input.entries;
+  request.version = INTERLOCK_VERSION;
+  request.monitor = monitor_for(display);
+  request.resume = arguments.resume && coupling::has_checkpoint(request.folder);
+  if (arguments.resume && !request.resume)
+    display.message("There is no checkpoint in " + request.folder.string() +
+                    " yet: the run starts from the beginning.");
+  return request;
 }
 
 void run(const RunArguments& arguments)
 {
   const RunInput input = read_parameter_file(arguments.file, arguments.overrides);
-  const fs::path folder =
-      arguments.output.empty() ? default_output_folder(arguments.file) : fs::path(arguments.output);
-  check_output_folder(folder);
   catch_interruption();
 
   RunLog log;
   ProgressDisplay display(std::cout, isatty(STDOUT_FILENO) != 0, log.stream());
+  const coupling::RunRequest request = request_for(arguments, input, display);
+  const fs::path& folder = request.folder;
   coupling::Summary summary;
   try {
-    summary = simulate(input, folder, log, monitor_for(display));
+    summary = simulate(input, request, log);
+  } catch (const coupling::RunStopped& stopped) {
+    log.stream() << "Stopped on request." << std::endl;
+    throw Interrupted("interrupted; the state is in " + stopped.checkpoint() + ", go on with: " +
+                      resume_line(arguments));
   } catch (const std::exception& error) {
     log.stream() << "Stopped: " << error.what() << std::endl;
     throw;
@@ -126,6 +157,9 @@ void add_run_command(CLI::App& program)
       ->expected(1);
   command->add_option("-o,--output", arguments->output,
                       "Output folder; results/NAME for a file NAME.prm if not given.");
+  command->add_flag("--resume", arguments->resume,
+                    "Go on from the checkpoint in the output folder; from the beginning when there is "
+                    "none yet.");
   command->footer("Example: interlock run cases/pullout/quick.prm --set \"Geogrid/Rigid=true\" -o "
                   "results/rigid");
   command->callback([arguments] { run(*arguments); });

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -26,9 +25,9 @@ bool write_all(int file, const std::string& bytes)
 
 [[noreturn]] void fail(const fs::path& file, const fs::path& part)
 {
-  const std::string sentence = write_error(file);
+  const WriteError error(file);
   ::unlink(part.c_str());
-  throw std::runtime_error(sentence);
+  throw error;
 }
 
 void sync_folder(const fs::path& file)
@@ -56,9 +55,10 @@ fs::path write_part(const fs::path& file, const std::string& bytes, bool durable
 }
 } // namespace
 
-std::string write_error(const fs::path& file)
+WriteError::WriteError(const fs::path& file)
+    : std::runtime_error("the file " + file.string() + " cannot be written: " +
+                         std::strerror(errno))
 {
-  return "the file " + file.string() + " cannot be written: " + std::strerror(errno);
 }
 
 void write_atomically(const fs::path& file, const std::string& text)

@@ -1,7 +1,7 @@
 #include "coupling/heap/drop_plan.h"
 
 #include "dem/engine/insertion.h"
-#include "dem/random_stream.h"
+#include "dem/counter_stream.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,8 +76,9 @@ private:
   double reach_ = 0; // [m]
 };
 
-Vector3 place_in_disc(dem::RandomStream& random, const DropParameters& drop)
+Vector3 place_in_disc(const DropParameters& drop, int shape)
 {
+  dem::CounterStream random(drop.seed, shape, dem::Draw::place);
   const double r = drop.disc_radius * std::sqrt(random.uniform());
   const double angle = random.uniform(0, 2 * M_PI);
   return {r * std::cos(angle), r * std::sin(angle), drop.height};
@@ -87,15 +88,17 @@ Vector3 place_in_disc(dem::RandomStream& random, const DropParameters& drop)
 std::vector<Release> plan_drop(const std::vector<Stone>& stones, const DropParameters& drop,
                                double gravity)
 {
-  dem::RandomStream random(drop.seed);
   std::vector<Vector3> place;
-  for (std::size_t s = 0; s < stones.size(); ++s) place.push_back(place_in_disc(random, drop));
+  for (std::size_t s = 0; s < stones.size(); ++s)
+    place.push_back(place_in_disc(drop, static_cast<int>(s)));
 
   std::vector<Release> plan;
   Falling falling(stones, gravity);
   double time = 0;
   for (int batch = 0; batch < drop.batches; ++batch)
     for (std::size_t s = 0; s < stones.size(); ++s) {
+      const auto id = static_cast<std::int64_t>(plan.size());
+      dem::CounterStream random(drop.seed, id, dem::Draw::attitude);
       Release next{static_cast<int>(s), place[s], random.rotation(), time};
       // Looks at whole multiples of the interval, so that sums do not collect rounding.
       for (long look = std::lround(time / interval); !falling.leaves_free(next);)

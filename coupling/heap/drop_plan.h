@@ -14,6 +14,13 @@ struct Release {
   dem::Quaternion attitude; // scan to world
   double time = 0;          // it is at rest then and falls from then on [s]
 };
+template <class Archive> void exchange(Archive& archive, Release& release)
+{
+  archive("stone", release.stone);
+  archive("place", release.place, "m");
+  archive("attitude", release.attitude);
+  archive("time", release.time, "s");
+}
 
 // Ferellec and McDowell (2010, section 3) let every stone of one shape start at the same point,
 // which differs from shape to shape and may be eccentric, 1 m above the floor, batch after batch in

@@ -6,78 +6,82 @@
 
 #include "coupling/heap/drop_plan.h"
 #include "coupling/heap/heap_measures.h"
+#include "coupling/heap/heap_stages.h"
 #include "coupling/loop/energy_ledger.h"
-#include "coupling/output/field_frames.h"
-#include "coupling/output/history.h"
-#include "coupling/output/monitor.h"
-#include "coupling/output/summary.h"
-#include "dem/engine/engine.h"
+#include "coupling/loop/world.h"
+#include "coupling/run/physics_limits.h"
+#include "coupling/run/run_records.h"
 
-#include <chrono>
-#include <filesystem>
-#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace interlock::coupling
 {
 class Heap
 {
 public:
-  // Makes the clumps, plans the drop, checks the time step. Writes nothing. Throws InputError, one
-  // full sentence, when a stone or the time step cannot be used.
-  Heap(const HeapParameters& parameters, const Monitor& monitor);
+  static constexpr const char* name = "heap";
+  using Stage = std::variant<DropStage, HeapSettleStage>;
 
-  // Drops all stones, waits until they are at rest, and writes history.csv, fields, stones.csv,
-  // profile.csv and summary.json into `output`, which must exist. Throws std::runtime_error when
-  // the simulation fails, and lets pass what the monitor throws.
-  Summary run(const std::filesystem::path& output);
+  // Floor and walls, but no stones yet: for reading a state into. Throws InputError when the file of
+  // the wall of triangles cannot be used.
+  explicit Heap(const HeapParameters& parameters);
+
+  // Makes the stones, plans the drop, checks the time step. Throws InputError, one full sentence,
+  // when a stone or the time step cannot be used.
+  void prepare(const Monitor& monitor, const std::vector<CaseEntry>& entries);
+
+  std::vector<Stage> plan() const { return {DropStage(), HeapSettleStage()}; }
+  std::vector<std::string> history_columns() const;
+  PhysicsLimits limits() const { return {}; }
+  void begin(RunRecords& records) const; // logs the preparation
+  // Writes stones.csv and profile.csv, too.
+  void finish(std::vector<Stage>& plan, RunRecords& records) const;
+
+  World& world() { return world_; }
+  const World& world() const { return world_; }
+  const HeapParameters& parameters() const { return parameters_; }
+
+  // A row of history.csv and a frame when they are due, or anyway.
+  void record_when_due(RunRecords& records, bool anyway = false);
+  // Takes out what rolled over the edge of the floor: it would fall for ever.
+  void drop_lost_stones();
+
+  std::vector<Stone> stones;     // by shape
+  std::vector<Release> releases; // planned; a clump's id is its index in here
+  double mean_size = 0;          // of a stone: diameter of the ball of equal mean volume [m]
+  double mean_sphere_radius = 0; // [m]
+  // Of the run so far.
+  std::int64_t rows = 0, frames = 0;    // written, of those at whole intervals
+  int lost = 0;                         // stones that rolled off the floor
+  double longest_delay = 0;             // of a release, behind the plan [s]
+  double at_rest_time = 0;              // after the last release [s]
+  double largest_overlap = 0;           // of all steps [m]
+  double smallest_stable_step = 1e300;  // at the records [s]
+  EnergyLedger ledger;                  // of the last record
 
 private:
-  using Clock = std::chrono::steady_clock;
-
-  void begin_stage(const std::string& name);
-  void end_stage(const std::string& result);
-  void warn(const std::string& sentence);
-  void step(double fraction);
-  void watch();
-  void release_due();
-  void drop_lost_stones();
-  void drop();
-  void settle();
-  void record();
-  void write_stones(const std::filesystem::path& file) const;
-  void write_profile(const std::filesystem::path& file, const SurfaceProfile& profile) const;
-  void collect_results(const std::filesystem::path& output);
-  void collect_measures(const std::filesystem::path& output);
-
-  dem::Vector3 stone_centre(int clump) const;
-  std::vector<HeapStone> stones() const;
-  std::vector<dem::Sphere> spheres(bool touching_only) const; // in the world
-  bool elongated(int clump) const;
-  double weight() const; // [N]
-
   HeapParameters parameters_;
-  Monitor monitor_;
-  std::vector<Stone> stones_; // by shape
-  std::vector<Release> plan_; // a clump's id is its index in here
-  std::unique_ptr<dem::Engine> engine_;
-  std::unique_ptr<FieldFrames> frames_;
-  std::unique_ptr<History> history_;
-  double mean_size_ = 0;          // of a stone: diameter of the ball of equal mean volume [m]
-  double mean_sphere_radius_ = 0; // [m]
-  double dt_ = 0;                 // [s]
-
-  double time_ = 0; // [s]
-  std::int64_t steps_ = 0;
-  double next_record_ = 0, next_frame_ = 0; // [s]
-  double at_rest_time_ = 0;                 // after the last release [s]
-  int n_lost_ = 0;                          // stones that rolled off the floor
-  double longest_delay_ = 0;                // of a release, behind the plan [s]
-  double largest_overlap_ = 0;              // of all steps [m]
-  double smallest_stable_step_ = 1e300;     // at the records [s]
-  EnergyLedger ledger_;
-  Summary summary_;
-  Clock::time_point run_start_, stage_start_;
-  double stage_time_ = 0;
-  std::int64_t stage_steps_ = 0;
+  World world_;
+  std::string preparation_;     // what it made, for the log
+  double preparation_time_ = 0; // wall-clock [s]
 };
+
+template <class Archive> void exchange(Archive& archive, Heap& heap)
+{
+  archive("stones", heap.stones);
+  archive("releases", heap.releases);
+  archive("mean_stone_size", heap.mean_size, "m");
+  archive("mean_sphere_radius", heap.mean_sphere_radius, "m");
+  archive("rows", heap.rows);
+  archive("frames", heap.frames);
+  archive("lost_stones", heap.lost);
+  archive("longest_delay", heap.longest_delay, "s");
+  archive("at_rest_time", heap.at_rest_time, "s");
+  archive("largest_overlap", heap.largest_overlap, "m");
+  archive("smallest_stable_step", heap.smallest_stable_step, "s");
+  archive("ledger", heap.ledger);
+  archive("world", heap.world());
+}
 } // namespace interlock::coupling

@@ -1,11 +1,11 @@
 // Records, files and results of the heap experiment.
-#include "coupling/heap/heap.h"
-#include "coupling/loop/state_hash.h"
 #include "coupling/files/atomic_file.h"
+#include "coupling/heap/heap.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace interlock::coupling
 {
@@ -16,38 +16,31 @@ using dem::Vector3;
 // Rays of the height map; rings of the profile are half a mean stone wide [m].
 constexpr double ray_spacing = 2e-3;
 
-std::string number(double value)
-{
-  std::ostringstream text;
-  text.precision(6);
-  text << value;
-  return text.str();
-}
-} // namespace
-
 // Where the stone is, whatever its clump's centre of mass.
-Vector3 Heap::stone_centre(int i) const
+Vector3 stone_centre(const Heap& heap, int i)
 {
-  const dem::Clumps& clumps = engine_->clumps();
-  return clumps.position[i] + clumps.orientation[i] * stones_[clumps.shape[i]].centre;
+  const dem::Clumps& clumps = heap.world().engine.clumps();
+  return clumps.position[i] + clumps.orientation[i] * heap.stones[clumps.shape[i]].centre;
 }
 
-bool Heap::elongated(int i) const
+bool elongated(const Heap& heap, int i)
 {
-  return stones_[engine_->clumps().shape[i]].elongation < parameters_.measures.elongation_limit;
+  return heap.stones[heap.world().engine.clumps().shape[i]].elongation <
+         heap.parameters().measures.elongation_limit;
 }
 
-std::vector<HeapStone> Heap::stones() const
+std::vector<HeapStone> stones_of(const Heap& heap)
 {
+  const dem::Clumps& clumps = heap.world().engine.clumps();
   std::vector<HeapStone> result;
-  for (int i = 0; i < engine_->clumps().size(); ++i)
-    result.push_back({stone_centre(i), engine_->clumps().mass[i], elongated(i)});
+  for (int i = 0; i < clumps.size(); ++i)
+    result.push_back({stone_centre(heap, i), clumps.mass[i], elongated(heap, i)});
   return result;
 }
 
-std::vector<dem::Sphere> Heap::spheres(bool touching_only) const
+std::vector<dem::Sphere> spheres_of(const Heap& heap, bool touching_only) // in the world
 {
-  const dem::Clumps& clumps = engine_->clumps();
+  const dem::Clumps& clumps = heap.world().engine.clumps();
   std::vector<dem::Sphere> result;
   for (int i = 0; i < clumps.size(); ++i) {
     if (touching_only && Vector3(clumps.force[i]) == Vector3::Zero()) continue;
@@ -60,85 +53,84 @@ std::vector<dem::Sphere> Heap::spheres(bool touching_only) const
 }
 
 // Height: of the highest point of a stone that touches something, not of one in the air.
-void Heap::record()
+void record(Heap& heap, RunRecords& records)
 {
-  ledger_ = ledger_of(engine_->energy(dt_));
+  const World& world = heap.world();
+  heap.ledger = world.ledger();
   double height = 0;
-  for (const dem::Sphere& sphere : spheres(true))
+  for (const dem::Sphere& sphere : spheres_of(heap, true))
     height = std::max(height, sphere.centre.z() + sphere.radius);
-  const dem::StableStep live = engine_->stable_step();
-  if (live.step > 0) smallest_stable_step_ = std::min(smallest_stable_step_, live.step);
+  const dem::StableStep live = world.engine.stable_step();
+  if (live.step > 0) heap.smallest_stable_step = std::min(heap.smallest_stable_step, live.step);
 
-  std::vector<History::Cell> row = {time_,
-                                    summary_.stages.back().name,
-                                    double(engine_->clumps().size()),
-                                    ledger_.kinetic_stones,
+  std::vector<History::Cell> row = {world.clock.time(),
+                                    records.stage_name(),
+                                    double(world.engine.clumps().size()),
+                                    heap.ledger.kinetic_stones,
                                     height,
-                                    plan_spread(stones()).radius_of_gyration,
-                                    double(engine_->n_touching_spheres()),
-                                    engine_->largest_overlap()};
-  for (const auto& entry : ledger_.entries()) row.push_back(entry.second);
-  row.push_back(ledger_.relative_error());
-  history_->add(row);
+                                    plan_spread(stones_of(heap)).radius_of_gyration,
+                                    double(world.engine.n_touching_spheres()),
+                                    world.engine.largest_overlap()};
+  append_ledger(row, heap.ledger);
+  records.add(row);
 }
 
-void Heap::write_stones(const std::filesystem::path& file) const
+void write_stones(const Heap& heap, const std::filesystem::path& file)
 {
-  std::ostringstream out;
-  out << "clump [-],shape,mass [kg],x [m],y [m],z [m],elongation [-],longest [m],elongated [-]\n";
-  const dem::Clumps& clumps = engine_->clumps();
+  std::string out =
+      "clump [-],shape,mass [kg],x [m],y [m],z [m],elongation [-],longest [m],elongated [-]\n";
+  const dem::Clumps& clumps = heap.world().engine.clumps();
   for (int i = 0; i < clumps.size(); ++i) {
-    const Stone& stone = stones_[clumps.shape[i]];
-    const Vector3 x = stone_centre(i);
-    out << clumps.id[i] << ',' << stone.shape.name << ',' << number(clumps.mass[i]) << ','
-        << number(x.x()) << ',' << number(x.y()) << ',' << number(x.z()) << ','
-        << number(stone.elongation) << ',' << number(stone.longest) << ',' << elongated(i) << '\n';
+    const Stone& stone = heap.stones[clumps.shape[i]];
+    const Vector3 x = stone_centre(heap, i);
+    out += fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{}\n", clumps.id[i],
+                       stone.shape.name, clumps.mass[i], x.x(), x.y(), x.z(), stone.elongation,
+                       stone.longest, int(elongated(heap, i)));
   }
-  write_atomically(file, out.str());
+  write_atomically(file, out);
 }
 
 // Heights over the distance from the centroid: what the angle of repose was fitted to.
-void Heap::write_profile(const std::filesystem::path& file, const SurfaceProfile& profile) const
+void write_profile(const std::filesystem::path& file, const SurfaceProfile& profile)
 {
-  std::ostringstream out;
-  out << "sector,radius [m],height [m]\n";
-  const auto add = [&](const std::string& name, const std::vector<SurfaceProfile::Ring>& rings) {
+  std::string out = "sector,radius [m],height [m]\n";
+  const auto add = [&](const std::string& sector, const std::vector<SurfaceProfile::Ring>& rings) {
     for (const SurfaceProfile::Ring& ring : rings)
-      out << name << ',' << number(ring.radius) << ',' << number(ring.height) << '\n';
+      out += fmt::format("{},{:.6g},{:.6g}\n", sector, ring.radius, ring.height);
   };
   for (int s = 0; s < SurfaceProfile::n_sectors; ++s) add(std::to_string(s), profile.sector[s]);
   add("all", profile.all);
-  write_atomically(file, out.str());
+  write_atomically(file, out);
 }
 
-void Heap::collect_measures(const std::filesystem::path& output)
+void measure_heap(const Heap& heap, RunRecords& records)
 {
-  const std::vector<HeapStone> stones = this->stones();
+  const std::vector<HeapStone> stones = stones_of(heap);
   const PlanSpread spread = plan_spread(stones);
   double reach = 0;
   for (const HeapStone& stone : stones)
     reach = std::max(reach, (stone.centre.head<2>() - spread.centroid).norm());
   // The heap's foot is near 2 r50; strays far outside need no rays.
-  reach = std::min(reach, 4 * spread.r50) + mean_size_;
-  const HeightMap map = height_map(spheres(false), spread.centroid, reach, ray_spacing);
-  const SurfaceProfile profile = surface_profile(map, spread.centroid, 0.5 * mean_size_);
-  const Repose heap = repose(profile);
-  write_profile(output / "profile.csv", profile);
+  reach = std::min(reach, 4 * spread.r50) + heap.mean_size;
+  const HeightMap map = height_map(spheres_of(heap, false), spread.centroid, reach, ray_spacing);
+  const SurfaceProfile profile = surface_profile(map, spread.centroid, 0.5 * heap.mean_size);
+  const Repose slope = repose(profile);
+  write_profile(records.folder() / "profile.csv", profile);
 
-  nlohmann::ordered_json& r = summary_.results;
-  r["angle_of_repose_deg"] = heap.angle;
-  r["angle_of_repose_scatter_over_azimuths_deg"] = heap.scatter;
-  r["azimuths_with_an_angle"] = heap.sectors;
-  r["height_m"] = heap.height;
+  nlohmann::ordered_json& r = records.summary.results;
+  r["angle_of_repose_deg"] = slope.angle;
+  r["angle_of_repose_scatter_over_azimuths_deg"] = slope.scatter;
+  r["azimuths_with_an_angle"] = slope.sectors;
+  r["height_m"] = slope.height;
   r["highest_point_m"] = *std::max_element(map.height.begin(), map.height.end());
   r["radius_of_gyration_m"] = spread.radius_of_gyration;
   r["radius_of_gyration_of_elongated_stones_m"] = spread.elongated_radius_of_gyration;
   r["radius_of_gyration_of_other_stones_m"] = spread.other_radius_of_gyration;
   r["r50_m"] = spread.r50;
   r["mass_share_beyond_1.5_r50"] = spread.mass_beyond;
-  r["radius_m"] = parameters_.measures.radius;
+  r["radius_m"] = heap.parameters().measures.radius;
   r["mass_share_outside_radius"] =
-      mass_outside(stones, spread.centroid, parameters_.measures.radius);
+      mass_outside(stones, spread.centroid, heap.parameters().measures.radius);
   r["elongated_stones"] = spread.elongated;
   r["elongated_stones_beyond_1.5_r50"] = spread.elongated_beyond;
   r["other_stones"] = spread.others;
@@ -146,45 +138,63 @@ void Heap::collect_measures(const std::filesystem::path& output)
   r["centroid_x_m"] = spread.centroid.x();
   r["centroid_y_m"] = spread.centroid.y();
 }
+} // namespace
 
-void Heap::collect_results(const std::filesystem::path& output)
+std::vector<std::string> Heap::history_columns() const
 {
-  const dem::Clumps& clumps = engine_->clumps();
-  Summary& s = summary_;
-  s.experiment = "heap";
+  std::vector<std::string> columns = {"time [s]",           "stage",
+                                      "stones [-]",         "kinetic_energy [J]",
+                                      "height [m]",         "radius_of_gyration [m]",
+                                      "stone_contacts [-]", "largest_overlap [m]"};
+  append_ledger_columns(columns);
+  return columns;
+}
+
+void Heap::record_when_due(RunRecords& records, bool anyway)
+{
+  largest_overlap = std::max(largest_overlap, world_.engine.largest_overlap());
+  const double time = world_.clock.time();
+  const HeapOutputParameters& output = parameters_.output;
+  if (anyway || time >= static_cast<double>(rows) * output.record_interval) {
+    record(*this, records);
+    ++rows;
+  }
+  const bool frame_due =
+      output.frame_interval > 0 && time >= static_cast<double>(frames) * output.frame_interval;
+  if (anyway || frame_due) {
+    records.add_frame(world_);
+    ++frames;
+  }
+}
+
+void Heap::finish(std::vector<Stage>&, RunRecords& records) const
+{
+  Summary& s = records.summary;
   s.seed = parameters_.drop.seed;
-  s.clumps = clumps.size();
-  s.spheres = clumps.n_spheres();
-  s.time_step = dt_;
-  s.steps = steps_;
-  s.simulated_time = time_;
-  s.wall_time = std::chrono::duration<double>(Clock::now() - run_start_).count();
-  s.contacts = engine_->n_touching_spheres();
-  s.state_hash = state_hash(clumps, nullptr);
-  add_ledger(s, ledger_);
+  s.contacts = world_.engine.n_touching_spheres();
+  add_ledger(s, ledger);
+  write_stones(*this, records.folder() / "stones.csv");
 
   s.results["mass_properties"] = parameters_.stones.mass_properties;
-  s.results["mass_kg"] = weight() / parameters_.gravity;
-  if (clumps.size() > 0) collect_measures(output);
-  s.results["time_to_rest_after_last_release_s"] = at_rest_time_;
-  s.results["longest_delay_of_a_release_s"] = longest_delay_;
-  s.results["stones_lost_over_the_edge"] = n_lost_;
-  s.results["largest_overlap_m"] = largest_overlap_;
-  s.results["largest_overlap_over_mean_sphere_radius"] = largest_overlap_ / mean_sphere_radius_;
-  s.results["smallest_stable_step_s"] = smallest_stable_step_;
+  s.results["mass_kg"] = world_.weight() / parameters_.gravity;
+  if (world_.engine.clumps().size() > 0) measure_heap(*this, records);
+  s.results["time_to_rest_after_last_release_s"] = at_rest_time;
+  s.results["longest_delay_of_a_release_s"] = longest_delay;
+  s.results["stones_lost_over_the_edge"] = lost;
+  s.results["largest_overlap_m"] = largest_overlap;
+  s.results["largest_overlap_over_mean_sphere_radius"] = largest_overlap / mean_sphere_radius;
+  s.results["smallest_stable_step_s"] = smallest_stable_step;
 
-  if (longest_delay_ > 0)
-    warn("A stone was let go " + number(longest_delay_) +
-         " s later than planned: another one was in its place, so this drop is not that of other "
-         "runs with the same seed.");
-  if (n_lost_ > 0)
-    warn(std::to_string(n_lost_) + " stones rolled off the floor; make Drop/Floor side larger.");
-  if (dt_ > smallest_stable_step_)
-    warn("The time step of " + number(dt_) + " s was above the live stable step of " +
-         number(smallest_stable_step_) + " s.");
-  if (ledger_.relative_error() > ledger_bound)
-    warn("The energy ledger leaves its bound: error " + number(ledger_.relative_error()) +
-         " of the work put in, bound " + number(ledger_bound) + ".");
-  s.ledger_closes = ledger_.relative_error() <= ledger_failure;
+  if (longest_delay > 0)
+    records.warn(fmt::format("A stone was let go {:.6g} s later than planned: another one was in its "
+                             "place, so this drop is not that of other runs with the same seed.",
+                             longest_delay));
+  if (lost > 0)
+    records.warn(fmt::format("{} stones rolled off the floor; make Drop/Floor side larger.", lost));
+  if (world_.clock.dt > smallest_stable_step)
+    records.warn(fmt::format("The time step of {:.6g} s was above the live stable step of {:.6g} s.",
+                             world_.clock.dt, smallest_stable_step));
+  warn_of_ledger(ledger, records);
+  s.ledger_closes = ledger.relative_error() <= ledger_failure;
 }
 } // namespace interlock::coupling

@@ -52,6 +52,25 @@ struct EnergyLedger {
   std::vector<std::pair<std::string, double>> entries() const;
 };
 
+template <class Archive> void exchange(Archive& archive, EnergyLedger& ledger)
+{
+  archive("kinetic_stones", ledger.kinetic_stones, "J");
+  archive("kinetic_geogrid", ledger.kinetic_geogrid, "J");
+  archive("gravitational", ledger.gravitational, "J");
+  archive("elastic_contacts", ledger.elastic_contacts, "J");
+  archive("elastic_geogrid", ledger.elastic_geogrid, "J");
+  archive("friction", ledger.friction, "J");
+  archive("contact_damping", ledger.contact_damping, "J");
+  archive("local_damping", ledger.local_damping, "J");
+  archive("geogrid_damping", ledger.geogrid_damping, "J");
+  archive("clamp_work", ledger.clamp_work, "J");
+  archive("wall_work", ledger.wall_work, "J");
+  archive("inserted", ledger.inserted, "J");
+  archive("interface_work_on_stones", ledger.interface_work_on_stones, "J");
+  archive("interface_work_on_geogrid", ledger.interface_work_on_geogrid, "J");
+  archive("interface_stored_and_lost", ledger.interface_stored_and_lost, "J");
+}
+
 // What the stones, the box and their contacts have: the entries of the geogrid are zero.
 EnergyLedger ledger_of(const dem::EngineEnergy& stones);
 

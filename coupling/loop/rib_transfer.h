@@ -6,7 +6,7 @@
 #include "dem/ribs/rib_contacts.h"
 #include "fem/explicit/explicit_dynamics.h"
 
-#include <memory>
+#include <vector>
 
 namespace interlock::coupling
 {
@@ -17,7 +17,7 @@ class RibTransfer
 public:
   // `clamped` nodes are moved by the clamp, all of them for a rigid geogrid; `edge_rounding` is the
   // radius of the ribs' edges [m]. The outer sizes of the ribs are those of the lattice's lines.
-  RibTransfer(fem::Lattice lattice, const fem::DynamicsOptions& options,
+  RibTransfer(const fem::Lattice& unloaded, const fem::DynamicsOptions& options,
               const std::vector<int>& clamped, bool rigid, double edge_rounding);
 
   // The geogrid of a pull-out test. `front` is the middle of the front transverse rib, the one that
@@ -25,9 +25,9 @@ public:
   static RibTransfer biaxial(const GeogridParameters& parameters, const dem::Vector3& front,
                              double gravity);
 
-  const fem::Lattice& lattice() const { return *lattice_; }
-  fem::ExplicitDynamics& dynamics() { return *dynamics_; }
-  const fem::ExplicitDynamics& dynamics() const { return *dynamics_; }
+  const fem::Lattice& lattice() const { return dynamics_.lattice(); }
+  fem::ExplicitDynamics& dynamics() { return dynamics_; }
+  const fem::ExplicitDynamics& dynamics() const { return dynamics_; }
   const std::vector<dem::Rib>& ribs() const { return ribs_; }
   bool rigid() const { return rigid_; }
 
@@ -44,14 +44,24 @@ public:
   // lever arm shortens the step more than that factor says). At least 2; 1 for a rigid geogrid.
   int required_substeps(double dt, const dem::RibContacts& contacts) const;
 
-  double mass() const { return lattice_->mass(); } // [kg]
+  double mass() const { return lattice().mass(); } // [kg]
+
+  // The motion; the lattice itself follows from the parameters.
+  template <class Archive> friend void exchange(Archive& archive, RibTransfer& geogrid)
+  {
+    fem::LatticeState state;
+    if (!Archive::reading) state = geogrid.dynamics_.state();
+    exchange(archive, state);
+    if (!Archive::reading) return;
+    geogrid.dynamics_.set_state(state);
+    geogrid.refresh_all_ribs();
+  }
 
 private:
   void refresh_rib(int r);
 
   bool rigid_;
-  std::unique_ptr<fem::Lattice> lattice_;
-  std::unique_ptr<fem::ExplicitDynamics> dynamics_;
+  fem::ExplicitDynamics dynamics_;
   std::vector<dem::Rib> ribs_;
   std::vector<dem::Vector3> unloaded_width_axis_; // of each rib, unit
 };

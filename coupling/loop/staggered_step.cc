@@ -11,50 +11,89 @@ StaggeredStep::StaggeredStep(dem::Engine& engine, const dem::ContactProperties& 
 
 void StaggeredStep::place_geogrid(RibTransfer& geogrid)
 {
-  geogrid_ = &geogrid;
-  rib_contacts_.clear();
+  attach(geogrid);
   const fem::LatticeEnergies e = geogrid.dynamics().energies();
   geogrid_inserted_ = e.kinetic + e.elastic + e.gravitational;
+}
+
+void StaggeredStep::attach(RibTransfer& geogrid)
+{
+  geogrid_ = &geogrid;
+  rib_contacts_.clear();
 }
 
 void StaggeredStep::remove_clumps(const std::vector<bool>& remove)
 {
   // Their springs at ribs go with them.
   geogrid_inserted_ -= rib_contacts_.elastic_energy_of(remove);
-  mean_rib_force_.resize(0); // by index
-  mean_rib_torque_.resize(0);
   rib_contacts_.renumber_clumps(engine_.remove_clumps(remove));
 }
 
 void StaggeredStep::advance(double dt, const dem::Vector3& clamp_velocity, EnergyLedger* ledger)
 {
-  dem::Clumps& clumps = engine_.clumps();
   engine_.compute_forces(dt);
-  if (ledger) book(*ledger, dt);
+  if (ledger) *ledger = this->ledger(dt);
+  move(dt, clamp_velocity);
+}
 
-  near_rib_.resize(0);
-  near_rib_.resize(clumps.size());
-  mean_rib_force_.resize(clumps.size());
-  mean_rib_torque_.resize(clumps.size());
-  if (geogrid_) {
-    geogrid_->refresh_all_ribs();
-    rib_contacts_.update_list(clumps, geogrid_->ribs(), dt);
-    for (const int i : rib_contacts_.near_clumps()) near_rib_[i] = 1;
+void StaggeredStep::move(double dt, const dem::Vector3& clamp_velocity)
+{
+  kick_by_stones_and_walls(dt);
+  if (!geogrid_) {
+    engine_.drift_all(dt);
+    engine_.move_walls(dt);
+    return;
   }
-  engine_.kick_all(dt, &mean_rib_force_, &mean_rib_torque_);
-  engine_.drift_all(dt, &near_rib_);
-  if (geogrid_) {
-    // The number of sub-steps only grows, so that velocities stay centred between equal steps.
-    substeps_ = std::max(substeps_, geogrid_->required_substeps(dt, rib_contacts_));
-    rib_force_.resize(clumps.size());
-    rib_torque_.resize(clumps.size());
-    clamp_force_.setZero();
-    begin_mean_motion();
-    for (int s = 0; s < substeps_; ++s) substep(dt / substeps_, clamp_velocity);
-    end_mean_motion();
-    clamp_force_ /= substeps_;
-  }
+  geogrid_->refresh_all_ribs();
+  rib_contacts_.update_list(engine_.clumps(), geogrid_->ribs(), dt);
+  hold_near_clumps();
+  engine_.drift_all(dt, &held_);
+
+  substeps_ = std::max(substeps_, geogrid_->required_substeps(dt, rib_contacts_));
+  rib_force_.resize(engine_.clumps().size());
+  rib_torque_.resize(engine_.clumps().size());
+  clamp_force_.setZero();
+  for (int s = 0; s < substeps_; ++s) substep(dt / substeps_, clamp_velocity);
+  end_mean_motion();
+  clamp_force_ /= substeps_;
   engine_.move_walls(dt);
+}
+
+// Local damping goes by the whole unbalanced force, that of the ribs included.
+void StaggeredStep::kick_by_stones_and_walls(double dt)
+{
+  if (mean_loads_.empty() || engine_.local_damping() == 0) {
+    engine_.kick_all(dt);
+    return;
+  }
+  const dem::Clumps& clumps = engine_.clumps();
+  for (dem::VectorField* field : {&other_force_, &other_torque_}) {
+    field->resize(0);
+    field->resize(clumps.size());
+  }
+  for (const MeanLoad& load : mean_loads_) {
+    const int i = clumps.index_of(load.clump);
+    if (i < 0) continue; // taken out since
+    other_force_[i] = load.force;
+    other_torque_[i] = load.torque;
+  }
+  engine_.kick_all(dt, &other_force_, &other_torque_);
+}
+
+// The stones that may touch a rib within the step drift in its sub-steps, with the ribs.
+void StaggeredStep::hold_near_clumps()
+{
+  const dem::Clumps& clumps = engine_.clumps();
+  held_.resize(0);
+  held_.resize(clumps.size());
+  mean_loads_.clear();
+  for (const int i : rib_contacts_.near_clumps()) {
+    held_[i] = 1;
+    MeanLoad load;
+    load.clump = clumps.id[i];
+    mean_loads_.push_back(load);
+  }
+  mean_motion_.assign(rib_contacts_.near_clumps().size(), {});
 }
 
 void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
@@ -69,14 +108,15 @@ void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
   geogrid_->apply(
       rib_contacts_.evaluate(clumps, geogrid_->ribs(), h, rib_force_, rib_torque_, rib_energy_));
 
-  for (const int i : near) {
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const int i = near[k];
     const dem::Vector3 v = clumps.drift_velocity[i], w = clumps.spin[i];
     clumps.kick(i, h, rib_force_[i], rib_torque_[i]);
     clumps.drift(i, h);
-    mean_velocity_[i] += clumps.drift_velocity[i];
-    mean_spin_[i] += clumps.spin[i];
-    mean_rib_force_[i] += rib_force_[i];
-    mean_rib_torque_[i] += rib_torque_[i];
+    mean_motion_[k].velocity += clumps.drift_velocity[i];
+    mean_motion_[k].spin += clumps.spin[i];
+    mean_loads_[k].force += rib_force_[i];
+    mean_loads_[k].torque += rib_torque_[i];
     // Work of a kick: force times the mean of the velocities of the drifts before and after it.
     rib_work_on_stones_ +=
         0.5 * h *
@@ -89,34 +129,21 @@ void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
 
 // The contacts between stones must see the mean motion of the whole step: the velocity of the last
 // sub-step alone swings with the kicks of the rib and would make their tangential springs creep.
-void StaggeredStep::begin_mean_motion()
-{
-  mean_velocity_.resize(engine_.clumps().size());
-  mean_spin_.resize(engine_.clumps().size());
-  for (dem::VectorField* mean : {&mean_rib_force_, &mean_rib_torque_}) {
-    mean->resize(0);
-    mean->resize(engine_.clumps().size());
-  }
-  for (const int i : rib_contacts_.near_clumps()) {
-    mean_velocity_[i].setZero();
-    mean_spin_[i].setZero();
-  }
-}
-
 void StaggeredStep::end_mean_motion()
 {
-  for (const int i : rib_contacts_.near_clumps()) {
-    engine_.clumps().step_velocity[i] = mean_velocity_[i] / substeps_;
-    engine_.clumps().step_spin[i] = mean_spin_[i] / substeps_;
-    mean_rib_force_[i] /= substeps_;
-    mean_rib_torque_[i] /= substeps_;
+  const std::vector<int>& near = rib_contacts_.near_clumps();
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    engine_.clumps().step_velocity[near[k]] = mean_motion_[k].velocity / substeps_;
+    engine_.clumps().step_spin[near[k]] = mean_motion_[k].spin / substeps_;
+    mean_loads_[k].force /= substeps_;
+    mean_loads_[k].torque /= substeps_;
   }
 }
 
-void StaggeredStep::book(EnergyLedger& ledger, double dt) const
+EnergyLedger StaggeredStep::ledger(double dt) const
 {
-  ledger = ledger_of(engine_.energy(dt));
-  if (!geogrid_) return;
+  EnergyLedger ledger = ledger_of(engine_.energy(dt));
+  if (!geogrid_) return ledger;
 
   ledger.elastic_contacts += rib_energy_.elastic;
   ledger.friction += rib_energy_.friction;
@@ -132,5 +159,6 @@ void StaggeredStep::book(EnergyLedger& ledger, double dt) const
   ledger.clamp_work = lattice.clamp_work;
   ledger.interface_work_on_geogrid = lattice.load_work;
   ledger.inserted += geogrid_inserted_;
+  return ledger;
 }
 } // namespace interlock::coupling

@@ -22,10 +22,16 @@ public:
 
   // From now on the geogrid takes part; its energy at this moment is booked as inserted.
   void place_geogrid(RibTransfer& geogrid);
+  // The same without booking: for a geogrid whose state, and whose contacts, are read next.
+  void attach(RibTransfer& geogrid);
 
   // Advances everything by dt [s]. `clamp_velocity` holds for the whole step [m/s]. With `ledger`,
   // fills it for the beginning of this step.
   void advance(double dt, const dem::Vector3& clamp_velocity, EnergyLedger* ledger = nullptr);
+  // The part of a step after the engine has computed its forces.
+  void move(double dt, const dem::Vector3& clamp_velocity);
+  // Energies now; call between the engine's compute_forces and move.
+  EnergyLedger ledger(double dt) const;
 
   // Removes clumps from the engine and from the contacts with ribs.
   void remove_clumps(const std::vector<bool>& remove);
@@ -34,13 +40,49 @@ public:
   const dem::Vector3& clamp_force() const { return clamp_force_; }
   int substeps() const { return substeps_; }
   const dem::RibContacts& rib_contacts() const { return rib_contacts_; }
+  // Pair properties of stones with ribs; changing them between steps is allowed.
+  dem::ContactProperties& stone_on_rib() { return rib_contacts_.properties(); }
+  // Books energy that came into the geogrid or its contacts otherwise than by work [J].
+  void insert_energy(double energy) { geogrid_inserted_ += energy; }
   const RibTransfer* geogrid() const { return geogrid_; }
 
+  // Of a loop with its geogrid attached.
+  template <class Archive> friend void exchange(Archive& archive, StaggeredStep& loop)
+  {
+    archive("energy", loop.rib_energy_);
+    archive("inserted", loop.geogrid_inserted_, "J");
+    archive("work_on_stones", loop.rib_work_on_stones_, "J");
+    archive("substeps", loop.substeps_);
+    archive("clamp_force", loop.clamp_force_, "N");
+    archive("mean_loads", loop.mean_loads_);
+    std::vector<dem::RibMemory> contacts;
+    if (!Archive::reading) contacts = loop.rib_contacts_.memory(loop.engine_.clumps());
+    archive("contacts", contacts);
+    if (Archive::reading) loop.rib_contacts_.restore(loop.engine_.clumps(), contacts);
+  }
+
 private:
+  // What ribs did to one stone near them, mean over the last step: local damping takes it for that
+  // of the step to come.
+  struct MeanLoad {
+    std::int64_t clump = 0;                                                // id
+    dem::Vector3 force = dem::Vector3::Zero(), torque = dem::Vector3::Zero(); // [N], [N m]
+    template <class Archive> friend void exchange(Archive& archive, MeanLoad& load)
+    {
+      archive("clump", load.clump);
+      archive("force", load.force, "N");
+      archive("torque", load.torque, "N m");
+    }
+  };
+  // Sums over the sub-steps so far of a stone near ribs.
+  struct MeanMotion {
+    dem::Vector3 velocity = dem::Vector3::Zero(), spin = dem::Vector3::Zero();
+  };
+
+  void kick_by_stones_and_walls(double dt);
+  void hold_near_clumps();
   void substep(double h, const dem::Vector3& clamp_velocity);
-  void begin_mean_motion();
   void end_mean_motion();
-  void book(EnergyLedger& ledger, double dt) const;
 
   dem::Engine& engine_;
   RibTransfer* geogrid_ = nullptr;
@@ -49,11 +91,11 @@ private:
   double geogrid_inserted_ = 0;                // energy of the lattice when it was placed [J]
   double rib_work_on_stones_ = 0;              // [J]
   dem::VectorField rib_force_, rib_torque_;    // on clumps, of the present sub-step
-  dem::VectorField mean_velocity_, mean_spin_; // sums over the sub-steps so far
-  // Forces and torques of ribs on clumps, means over the last step: local damping takes them for
-  // those of the step to come [N], [N m].
-  dem::VectorField mean_rib_force_, mean_rib_torque_;
-  dem::ScalarField near_rib_; // 1: drifts in sub-steps
+  std::vector<MeanLoad> mean_loads_;           // of the last step, ascending ids
+  std::vector<MeanMotion> mean_motion_;        // by place among the near clumps
+  dem::VectorField other_force_, other_torque_; // mean_loads_ by clump
+  dem::ScalarField held_;                       // 1: drifts in sub-steps
+  // Only grows, so that velocities stay centred between equal steps: part of the state.
   int substeps_ = 1;
   dem::Vector3 clamp_force_ = dem::Vector3::Zero();
 };

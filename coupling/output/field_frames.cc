@@ -35,6 +35,18 @@ FieldFrames::FieldFrames(const std::filesystem::path& folder)
 {
 }
 
+void FieldFrames::start()
+{
+  for (XdmfSeries* series : {&clumps_, &geogrid_, &contacts_}) series->start();
+  first_id_.clear();
+  first_position_.resize(0);
+}
+
+void FieldFrames::rewind()
+{
+  for (XdmfSeries* series : {&clumps_, &geogrid_, &contacts_}) series->rewind();
+}
+
 void FieldFrames::write(double time, const dem::Engine& engine, const StaggeredStep& loop)
 {
   write_clumps(time, engine);

@@ -17,11 +17,24 @@ namespace interlock::coupling
 class FieldFrames
 {
 public:
+  // Writes nothing yet.
   explicit FieldFrames(const std::filesystem::path& folder);
+  // XdmfSeries::start and rewind of all three.
+  void start();
+  void rewind();
 
   void write(double time, const dem::Engine& engine, const StaggeredStep& loop);
   // Of stones and walls alone: there is no geogrid.
   void write(double time, const dem::Engine& engine);
+
+  template <class Archive> friend void exchange(Archive& archive, FieldFrames& frames)
+  {
+    archive("clumps", frames.clumps_);
+    archive("geogrid", frames.geogrid_);
+    archive("contacts", frames.contacts_);
+    archive("first_id", frames.first_id_);
+    archive("first_position", frames.first_position_, "m");
+  }
 
 private:
   void write_clumps(double time, const dem::Engine& engine);

@@ -1,8 +1,8 @@
 #include "coupling/output/field_output.h"
 
 #include "coupling/files/atomic_file.h"
-
-#include <deal.II/base/hdf5.h>
+#include "coupling/files/hdf5_memory.h"
+#include "dem/input_error.h"
 
 #include <iomanip>
 #include <numeric>
@@ -13,7 +13,7 @@ namespace interlock::coupling
 {
 namespace
 {
-namespace h5 = dealii::HDF5;
+namespace fs = std::filesystem;
 
 void require(const bool condition, const std::string& sentence)
 {
@@ -27,16 +27,9 @@ std::string frame_name(const int frame)
   return name.str();
 }
 
-// A data set of `rows` rows (of `columns` columns, where there is more than one) with its unit.
-template <typename Stored, typename Value>
-void write_rows(h5::Group& group, const std::string& name, const std::string& unit,
-                const std::vector<Value>& values, const std::size_t columns)
+std::vector<float> single(const std::vector<double>& values)
 {
-  std::vector<hsize_t> dimensions = {values.size() / columns};
-  if (columns > 1) dimensions.push_back(columns);
-  h5::DataSet data = group.create_dataset<Stored>(name, dimensions);
-  data.set_attribute("unit", unit);
-  if (!values.empty()) data.write(std::vector<Stored>(values.begin(), values.end()));
+  return {values.begin(), values.end()};
 }
 
 // The <DataItem> that points at a data set.
@@ -88,31 +81,42 @@ void check_field(const OutputField& field, const std::size_t points, const std::
 }
 } // namespace
 
-XdmfSeries::XdmfSeries(const std::filesystem::path& stem, const Topology topology)
-    : hdf5_file_(stem.string() + ".h5"), xdmf_file_(stem.string() + ".xdmf"), topology_(topology)
+XdmfSeries::XdmfSeries(const fs::path& stem, const Topology topology)
+    : stem_(stem), topology_(topology)
 {
-  std::filesystem::remove(xdmf_file_);
-  std::filesystem::remove(hdf5_file_);
 }
 
-void XdmfSeries::write_frame(const std::string& group_name, const double time,
-                             const std::vector<double>& points, const std::vector<int>& lines,
-                             const std::vector<OutputField>& fields) const
+fs::path XdmfSeries::frame_file(int frame) const
 {
-  h5::File file(hdf5_file_.string(),
-                grids_.empty() ? h5::File::FileAccessMode::create : h5::File::FileAccessMode::open);
-  h5::Group group = file.create_group(group_name);
-  group.set_attribute("time", time);
-  write_rows<float>(group, "points", "m", points, 3);
-  if (topology_ == Topology::lines) {
-    write_rows<int>(group, "lines", "-", lines, 2);
-  } else {
-    std::vector<int> vertices(points.size() / 3);
-    std::iota(vertices.begin(), vertices.end(), 0);
-    write_rows<int>(group, "vertices", "-", vertices, 1);
-  }
-  for (const OutputField& field : fields)
-    write_rows<float>(group, field.name, field.unit, field.values, field.components);
+  std::ostringstream number;
+  number << '_' << std::setw(6) << std::setfill('0') << frame << ".h5";
+  return stem_.parent_path() / "frames" / (stem_.filename().string() + number.str());
+}
+
+void XdmfSeries::start()
+{
+  grids_.clear();
+  fs::remove(stem_.string() + ".xdmf");
+  fs::remove(stem_.string() + ".h5");
+  delete_frames_from(0);
+}
+
+void XdmfSeries::rewind()
+{
+  for (int frame = 0; frame < frames(); ++frame)
+    if (!fs::exists(frame_file(frame)))
+      throw InputError("The run cannot go on: its \"" + frame_file(frame).string() +
+                       "\" is not there any more.");
+  delete_frames_from(frames());
+  if (frames() > 0)
+    write_index();
+  else
+    start();
+}
+
+void XdmfSeries::delete_frames_from(int frame) const
+{
+  while (fs::remove(frame_file(frame))) ++frame;
 }
 
 void XdmfSeries::write(const double time, const std::vector<double>& points,
@@ -125,9 +129,25 @@ void XdmfSeries::write(const double time, const std::vector<double>& points,
   for (const OutputField& field : fields) check_field(field, n_points, n_lines);
 
   const std::string group = frame_name(frames());
-  write_frame(group, time, points, lines, fields);
+  Hdf5Memory file;
+  file.make_group("/" + group);
+  file.set_attribute("/" + group, "time", time);
+  const auto place = [&](const std::string& name) { return group + "/" + name; };
+  file.write(place("points"), single(points), 3, "m");
+  if (topology_ == Topology::lines) {
+    file.write(place("lines"), lines, 2, "-");
+  } else {
+    std::vector<int> vertices(n_points);
+    std::iota(vertices.begin(), vertices.end(), 0);
+    file.write(place("vertices"), vertices, 1, "-");
+  }
+  for (const OutputField& field : fields)
+    file.write(place(field.name), single(field.values), field.components, field.unit);
+  fs::create_directories(frame_file(0).parent_path());
+  write_atomically(frame_file(frames()), file.bytes());
 
-  const std::string path = hdf5_file_.filename().string() + ":/" + group + "/";
+  const std::string path =
+      "frames/" + frame_file(frames()).filename().string() + ":/" + group + "/";
   std::ostringstream grid;
   grid << "      <Grid Name=\"" << group << "\" GridType=\"Uniform\">\n        <Time Value=\""
        << std::setprecision(17) << time << "\"/>\n        <Geometry GeometryType=\"XYZ\">"
@@ -136,17 +156,29 @@ void XdmfSeries::write(const double time, const std::vector<double>& points,
   for (const OutputField& field : fields) grid << attribute(field, path);
   grid << "      </Grid>\n";
   grids_.push_back(grid.str());
-  write_xdmf();
+  try {
+    write_index();
+  } catch (...) {
+    grids_.pop_back();
+    throw;
+  }
 }
 
-// After the numbers, and by renaming: the file never mentions a frame that is not there yet.
-void XdmfSeries::write_xdmf() const
+// After the numbers, and by renaming: it never mentions a frame that is not there yet.
+void XdmfSeries::write_index() const
 {
+  const std::string name = stem_.filename().string();
   std::ostringstream text;
-  text << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n    <Grid Name=\""
-       << hdf5_file_.stem().string() << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  text << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n    <Grid Name=\"" << name
+       << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (const std::string& grid : grids_) text << grid;
   text << "    </Grid>\n  </Domain>\n</Xdmf>\n";
-  write_atomically(xdmf_file_, text.str());
+  write_atomically(stem_.string() + ".xdmf", text.str());
+
+  Hdf5Memory index;
+  for (int frame = 0; frame < frames(); ++frame)
+    index.link("/" + frame_name(frame), "frames/" + frame_file(frame).filename().string(),
+               "/" + frame_name(frame));
+  write_atomically(stem_.string() + ".h5", index.bytes());
 }
 } // namespace interlock::coupling

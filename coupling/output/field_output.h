@@ -1,16 +1,18 @@
 // Time series of points or lines with fields on them, for ParaView and for scripts: NAME.xdmf says
 // what there is, NAME.h5 holds the numbers.
 //
-// Layout of NAME.h5: one group for each frame, /frame_000000, /frame_000001, ..., with the
-// attribute `time` [s] and the data sets
+// Each frame is a file of its own, frames/NAME_000012.h5, written whole under a temporary name and
+// then renamed: a kill, a full disk or a reader in the middle can spoil none. NAME.h5 is their
+// index: /frame_000012 in it is a link to the data of that frame. So in Python:
+//   f = h5py.File("contacts.h5"); f["frame_000003/force"][:]; f["frame_000003/force"].attrs["unit"]
+//
+// A frame holds the attribute `time` [s] and the data sets
 //   points   n x 3   float    coordinates in the world frame, attribute unit = "m"
 //   lines    m x 2   integer  the two points of each line, from 0 (a series of lines only)
 //   vertices n       integer  0 to n - 1 (a series of points only: ParaView's newer XDMF reader
-//   makes no
-//                             cells without it, and shows nothing)
+//                             makes no cells without it, and shows nothing)
 //   FIELD    n, n x 3, m or m x 3   float, attribute unit, for example "N"
-// where n counts points and m lines. So in Python:
-//   f = h5py.File("contacts.h5"); f["frame_000003/force"][:]; f["frame_000003/force"].attrs["unit"]
+// where n counts points and m lines.
 #pragma once
 
 #include <filesystem>
@@ -38,26 +40,36 @@ class XdmfSeries
 public:
   enum class Topology { points, lines };
 
-  // `stem` is the path without ending: "results/quick/contacts". Deletes the series of an earlier
-  // run.
+  // `stem` is the path without ending: "results/quick/contacts". Writes nothing yet.
   XdmfSeries(const std::filesystem::path& stem, Topology topology);
 
+  // Deletes the files of an earlier run, or makes what is there fit the frames that this series has
+  // read from a state: those beyond are deleted. Throws InputError, one sentence, when one of its
+  // frames is not there any more.
+  void start();
+  void rewind();
+
   // Adds a frame. `points`: x, y, z of each point [m]; `lines`: both point numbers of each line,
-  // empty for a series of points. Afterwards both files are closed and complete, so the series can
-  // be opened while the run goes on, and survives its end by force. Throws std::invalid_argument
-  // when the sizes do not fit, std::runtime_error when the files cannot be written.
+  // empty for a series of points. Afterwards all files are closed and complete. Throws
+  // std::invalid_argument when the sizes do not fit, std::runtime_error, with the reason, when a file
+  // cannot be written; the frames before are as they were then.
   void write(double time, const std::vector<double>& points, const std::vector<int>& lines,
              const std::vector<OutputField>& fields);
 
   // Frames so far.
   int frames() const { return static_cast<int>(grids_.size()); }
 
-private:
-  void write_frame(const std::string& group, double time, const std::vector<double>& points,
-                   const std::vector<int>& lines, const std::vector<OutputField>& fields) const;
-  void write_xdmf() const;
+  template <class Archive> friend void exchange(Archive& archive, XdmfSeries& series)
+  {
+    archive("grids", series.grids_);
+  }
 
-  std::filesystem::path hdf5_file_, xdmf_file_;
+private:
+  std::filesystem::path frame_file(int frame) const;
+  void delete_frames_from(int frame) const;
+  void write_index() const;
+
+  std::filesystem::path stem_;
   Topology topology_;
   std::vector<std::string> grids_; // XDMF text of each frame
 };

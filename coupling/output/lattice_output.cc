@@ -40,7 +40,9 @@ void write_lattice(const std::filesystem::path& stem, const fem::StaticSolver& s
   const LatticeFields frame = lattice_fields(
       solver.lattice(), [&](int node) { return solver.position(node); },
       [&](int e) { return solver.section_forces(e); });
-  XdmfSeries(stem, XdmfSeries::Topology::lines).write(0, frame.points, frame.lines, frame.fields);
+  XdmfSeries series(stem, XdmfSeries::Topology::lines);
+  series.start();
+  series.write(0, frame.points, frame.lines, frame.fields);
 }
 
 void write_modes(const std::filesystem::path& stem, const fem::Lattice& lattice,
@@ -52,6 +54,7 @@ void write_modes(const std::filesystem::path& stem, const fem::Lattice& lattice,
     high = high.cwiseMax(lattice.reference_position(i));
   }
   XdmfSeries series(stem, XdmfSeries::Topology::lines);
+  series.start();
   for (std::size_t m = 0; m < modes.size(); ++m) {
     double largest = 0;
     for (const auto& u : modes[m].shape) largest = std::max(largest, u.head<3>().norm());

@@ -14,10 +14,12 @@ struct Progress {
   std::int64_t steps = 0;    // since the start of the run
 };
 
-// Both may be empty. They are called from one thread, `progress` as often as the run likes (the
-// receiver throttles), `message` once for each finished sentence: a stage that ended, a warning.
+// All may be empty. They are called from one thread: `progress` every hundred steps or so (the
+// receiver throttles), `message` once for each finished sentence (a stage that ended, a warning),
+// `stop_requested` after every step: when it says yes, the run keeps its state and ends.
 struct Monitor {
   std::function<void(const Progress&)> progress;
   std::function<void(const std::string&)> message;
+  std::function<bool()> stop_requested;
 };
 } // namespace interlock::coupling

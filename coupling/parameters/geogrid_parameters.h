@@ -22,5 +22,6 @@ struct GeogridParameters {
   double density = 0;        // [kg/m3]
   int elements_per_rib = 8;  // between two junctions
   double mass_damping = 0;   // force = mass_damping * mass * velocity [1/s]
+  double break_strain = 0;   // of a rib in tension, where the run ends; 0: ribs do not break [-]
 };
 } // namespace interlock::coupling

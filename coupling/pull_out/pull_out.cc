@@ -2,7 +2,7 @@
 
 #include "coupling/pull_out/protocol.h"
 #include "coupling/stones/filled_box.h"
-#include "coupling/stones/stone_library.h"
+#include "coupling/stones/stone_shapes.h"
 
 #include <fmt/format.h>
 
@@ -67,8 +67,12 @@ PullOut::PullOut(const PullOutParameters& parameters)
 {
 }
 
-void PullOut::prepare(const Monitor& monitor)
+void PullOut::prepare(const Monitor& monitor, const std::vector<CaseEntry>& entries)
 {
+  if (!parameters_.start_from.empty()) {
+    start_from(parameters_.start_from, entries);
+    return;
+  }
   const auto begin = std::chrono::steady_clock::now();
   std::vector<dem::ClumpShape> shapes = make_stone_shapes(parameters_.stones, monitor);
   n_shapes = static_cast<int>(shapes.size());
@@ -97,28 +101,27 @@ void PullOut::prepare(const Monitor& monitor)
 
 std::vector<PullOut::Stage> PullOut::plan() const
 {
+  if (start_) return plan_from_state();
   const bool flattened = parameters_.geogrid.placement == "flattened";
   const double underside = geogrid_height() - 0.5 * parameters_.geogrid.rib_thickness;
   std::vector<Stage> plan;
-  if (start == Start::empty_box) {
-    // A surface that is to be pressed flat starts with less standing out of it.
-    const double margin = flattened ? 0 : protocol::margin_not_flattened * mean_size;
-    plan.emplace_back(FillStage{"fill lower half", underside, margin});
-    if (flattened) plan.emplace_back(FlattenStage{underside});
-  }
-  if (start == Start::empty_box || start == Start::before_geogrid) {
-    plan.emplace_back(PlaceStage());
-    plan.emplace_back(FillStage{"fill upper half", parameters_.box.height,
-                                protocol::margin_at_top * mean_size});
-    if (parameters_.surcharge.force > 0) plan.emplace_back(LoadStage());
-  }
-  if (start == Start::before_pull) {
-    plan.emplace_back(AdaptStage());
-    if (parameters_.surcharge.force > 0) plan.emplace_back(LoadStage());
-  }
-  if (start != Start::pull_at_once) plan.emplace_back(SettleStage());
-  plan.emplace_back(PullStage());
+  // A surface that is to be pressed flat starts with less standing out of it.
+  const double margin = flattened ? 0 : protocol::margin_not_flattened * mean_size;
+  plan.emplace_back(FillStage{"fill lower half", underside, margin});
+  if (flattened) plan.emplace_back(FlattenStage{underside});
+  append_upper_half(plan);
   return plan;
+}
+
+// From the placing of the geogrid on.
+void PullOut::append_upper_half(std::vector<Stage>& plan) const
+{
+  plan.emplace_back(PlaceStage());
+  plan.emplace_back(FillStage{"fill upper half", parameters_.box.height,
+                              protocol::margin_at_top * mean_size});
+  if (parameters_.surcharge.force > 0) plan.emplace_back(LoadStage());
+  plan.emplace_back(SettleStage());
+  plan.emplace_back(PullStage());
 }
 
 std::vector<std::string> PullOut::history_columns() const
@@ -151,7 +154,8 @@ PhysicsLimits PullOut::limits() const
 
 void PullOut::begin(RunRecords& records) const
 {
-  records.add_stage("stones", preparation_, preparation_time_);
+  records.add_stage(start_ ? "start" : "stones", preparation_, preparation_time_);
+  if (start_) records.summary.results = start_->results;
 }
 
 std::unique_ptr<RibTransfer> PullOut::make_geogrid() const

@@ -10,10 +10,14 @@
 #include "coupling/loop/world.h"
 #include "coupling/pull_out/pull_out_parameters.h"
 #include "coupling/pull_out/pull_out_stages.h"
+#include "coupling/pull_out/start_from.h"
 #include "coupling/stones/box_walls.h"
 #include "coupling/stones/pouring.h"
 #include "coupling/stones/settling.h"
 
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,9 +34,10 @@ public:
   // Nothing but the parameters: for reading a state into.
   explicit PullOut(const PullOutParameters& parameters);
 
-  // Makes the stones and the empty box, and checks what only they can tell (the stable step).
-  // Throws InputError, one full sentence, when a stone or the time step cannot be used.
-  void prepare(const Monitor& monitor);
+  // Makes the stones and the empty box, and checks what only they can tell (the stable step); or
+  // begins where another run left off (start_from.h), for which it needs the entries of the case.
+  // Throws InputError, one full sentence, when a stone, the time step or the state cannot be used.
+  void prepare(const Monitor& monitor, const std::vector<CaseEntry>& entries);
 
   std::vector<Stage> plan() const;
   std::vector<std::string> history_columns() const;
@@ -52,6 +57,8 @@ public:
   std::unique_ptr<RibTransfer> make_geogrid() const; // unloaded, where it is placed
   Pouring pouring() const;
   SettlingParameters settling() const;
+  // Gives a state that was made with other entries those of this case (start_from.h).
+  void adapt();
   // Takes out what fell through the slot: it would fall for ever.
   void drop_lost_stones();
   // Whether a stage may settle no longer: true when the stones lie still, and, with a warning, when
@@ -65,16 +72,17 @@ public:
   dem::WallId surcharge_plate = -1; // -1: none
   int lost = 0;                     // stones that fell out of the slot
 
-  // Where another run left off, instead of an empty box (start_from.h).
-  enum class Start { empty_box, before_geogrid, before_pull, pull_at_once };
-  Start start = Start::empty_box;
-
 private:
+  void start_from(const std::filesystem::path& file, const std::vector<CaseEntry>& entries);
+  std::vector<Stage> plan_from_state() const;
+  void append_upper_half(std::vector<Stage>& plan) const;
+
   PullOutParameters parameters_;
   dem::ContactProperties stone_on_stone_, stone_on_box_, stone_on_rib_;
   World world_;
-  std::string preparation_; // what it made, for the log
+  std::string preparation_;     // what it made, for the log
   double preparation_time_ = 0; // wall-clock [s]
+  std::optional<StartState> start_; // empty: an empty box
 };
 
 template <class Archive> void exchange(Archive& archive, PullOut& experiment)
@@ -91,6 +99,6 @@ template <class Archive> void exchange(Archive& archive, PullOut& experiment)
   archive("world", experiment.world());
 }
 
-// What a result that a stage leaves in the summary is like.
+// Leaves what the stones are like before the pull in the results.
 void describe_packing(const PullOut& experiment, RunRecords& records);
 } // namespace interlock::coupling

@@ -96,6 +96,8 @@ void declare_geogrid(ParameterTable& table, GeogridParameters& geogrid)
               "Beam elements between two junctions. [-]");
   table.require("Mass damping", geogrid.mass_damping, not_negative,
                 "Damping of the ribs' motion: force = mass damping x mass x velocity. [1/s]");
+  table.offer("Break strain", geogrid.break_strain, 0, {0, 10, true},
+              "Stretch at which a rib breaks and the run ends; 0: ribs do not break. [-]");
 }
 
 void declare_filling(ParameterTable& table, FillingParameters& filling)
@@ -145,12 +147,20 @@ void declare_numerics(ParameterTable& table, PullOutParameters& parameters)
 {
   declare_time(table, parameters.time);
 
+  table.open_section("Limits");
+  table.offer("Overlap", parameters.limits.overlap, 1, positive,
+              "Overlap of any contact over the mean radius of a member sphere above which the run "
+              "ends: a stone is wedged. [-]");
+
   table.open_section("Output");
   table.offer("Records", parameters.output.records, 500, at_least_one,
               "Rows of history.csv during the pull. [-]");
   table.offer("Field frames", parameters.output.field_frames, 50, not_negative,
               "Frames for ParaView during the pull. [-]");
   table.offer("Report", parameters.output.report, true, "Draw the figures at the end of the run.");
+  table.offer("Checkpoint interval", parameters.output.checkpoint_interval, 60, not_negative,
+              "Wall-clock time between two checkpoints, beside those at the ends of stages; 0: only "
+              "those. [s]");
 }
 } // namespace
 
@@ -159,6 +169,9 @@ void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
   table.open_section("");
   table.require("Gravity", parameters.gravity, not_negative,
                 "Acceleration of gravity, downwards along z. [m/s2]");
+  table.offer_file("Start from", parameters.start_from,
+                   "State that another run has left (state_before_geogrid.h5 or "
+                   "state_before_pull.h5) to start from; empty: pour the stones.");
   declare_stones(table, parameters.stones);
   declare_box(table, parameters.box);
   declare_contact(table, parameters.contact);

@@ -42,13 +42,20 @@ struct PullParameters {
   double ramp_time = 0; // from rest to full speed [s]
 };
 
+// Where a run ends because it is no simulation of ballast any more.
+struct LimitParameters {
+  double overlap = 1; // of any contact over the mean radius of a member sphere [-]
+};
+
 struct OutputParameters {
   int records = 0;      // rows of history.csv during the pull [-]
   int field_frames = 0; // frames for ParaView during the pull [-]
   bool report = true;   // draw the figures at the end
+  double checkpoint_interval = 60; // of wall-clock time; 0: at the ends of stages only [s]
 };
 
 struct PullOutParameters {
+  std::string start_from; // state of another run (start_from.h); empty: an empty box
   double gravity = 9.81; // along -z [m/s2]
   StoneParameters stones;
   BoxParameters box;
@@ -58,6 +65,7 @@ struct PullOutParameters {
   SurchargeParameters surcharge;
   PullParameters pull;
   TimeParameters time;
+  LimitParameters limits;
   OutputParameters output;
 };
 } // namespace interlock::coupling

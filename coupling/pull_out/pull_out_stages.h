@@ -57,9 +57,10 @@ struct LoadStage {
   Settling settling;
 };
 
-// A packed state takes over what is new in this run: contacts, load, slot, geogrid (start_from.h).
+// A packed state takes over what is new in this run: contacts, load, slot, time step (start_from.h).
 struct AdaptStage {
   static constexpr const char* kind = "adapt";
+  bool looked = false;
 };
 
 // Before the pull: with local damping, then without, since that holds stones up a little.
@@ -98,10 +99,11 @@ StageStatus before_step(LoadStage& stage, PullOut& experiment, RunRecords& recor
 StageStatus before_step(AdaptStage& stage, PullOut& experiment, RunRecords& records);
 StageStatus before_step(SettleStage& stage, PullOut& experiment, RunRecords& records);
 StageStatus before_step(PullStage& stage, PullOut& experiment, RunRecords& records);
-// Only the pull measures.
+// Most stages measure nothing while they run.
 template <class Stage> void look(Stage&, PullOut&, RunRecords&)
 {
 }
+void look(AdaptStage& stage, PullOut& experiment, RunRecords& records);
 void look(PullStage& stage, PullOut& experiment, RunRecords& records);
 template <class Stage> void after_step(Stage&, PullOut&, RunRecords&)
 {
@@ -160,8 +162,9 @@ template <class Archive> void exchange(Archive& archive, LoadStage& stage)
   archive("spheres", stage.spheres);
   archive("settling", stage.settling);
 }
-template <class Archive> void exchange(Archive&, AdaptStage&)
+template <class Archive> void exchange(Archive& archive, AdaptStage& stage)
 {
+  archive("looked", stage.looked);
 }
 template <class Archive> void exchange(Archive& archive, SettleStage& stage)
 {

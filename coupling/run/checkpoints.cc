@@ -13,13 +13,6 @@ namespace interlock::coupling
 {
 namespace
 {
-bool is_free(const std::string& key, const std::vector<std::string>& free)
-{
-  return std::any_of(free.begin(), free.end(), [&](const std::string& entry) {
-    return entry == key || (entry.back() == '/' && key.compare(0, entry.size(), entry) == 0);
-  });
-}
-
 std::map<std::string, std::string> by_key(const std::vector<CaseEntry>& entries)
 {
   std::map<std::string, std::string> result;
@@ -27,6 +20,15 @@ std::map<std::string, std::string> by_key(const std::vector<CaseEntry>& entries)
   return result;
 }
 } // namespace
+
+bool is_among(const std::string& key, const std::vector<std::string>& keys_and_sections)
+{
+  return std::any_of(keys_and_sections.begin(), keys_and_sections.end(),
+                     [&](const std::string& entry) {
+                       return entry == key || (entry.back() == '/' &&
+                                               key.compare(0, entry.size(), entry) == 0);
+                     });
+}
 
 Checkpoints::Checkpoints(std::filesystem::path folder, double interval, std::string program_version)
     : folder_(std::move(folder)), interval_(interval), program_version_(std::move(program_version))
@@ -50,13 +52,28 @@ void Checkpoints::write_as(const std::string& name, const StateTree& state) cons
   write_state(folder_ / name, state, program_version_);
 }
 
-std::optional<StateTree> Checkpoints::read() const
+StateTree Checkpoints::read() const
 {
   std::error_code error;
-  if (!std::filesystem::exists(file(), error) &&
-      !std::filesystem::exists(folder_ / "checkpoint.previous.h5", error))
-    return {};
-  return read_state(file());
+  const std::filesystem::path before = previous_of(file());
+  // A kill between two renames leaves the one before only.
+  const bool whole = std::filesystem::exists(file(), error);
+  return read_state(!whole && std::filesystem::exists(before, error) ? before : file());
+}
+
+void Checkpoints::clear() const
+{
+  std::error_code error;
+  std::filesystem::remove(file(), error);
+  std::filesystem::remove(previous_of(file()), error);
+}
+
+bool has_checkpoint(const std::filesystem::path& folder)
+{
+  std::error_code error;
+  const std::filesystem::path file = folder / "checkpoint.h5";
+  return std::filesystem::exists(file, error) ||
+         std::filesystem::exists(previous_of(file), error);
 }
 
 std::vector<std::string> changed_entries(const std::vector<CaseEntry>& kept,
@@ -74,7 +91,8 @@ std::vector<std::string> changed_entries(const std::vector<CaseEntry>& kept,
 }
 
 void require_same_case(const std::string& what, const std::vector<CaseEntry>& kept,
-                       const std::vector<CaseEntry>& now, const std::vector<std::string>& free)
+                       const std::vector<CaseEntry>& now,
+                       const std::function<bool(const std::string& key)>& may_change)
 {
   const auto before = by_key(kept), after = by_key(now);
   const auto value = [](const std::map<std::string, std::string>& entries, const std::string& key) {
@@ -83,7 +101,7 @@ void require_same_case(const std::string& what, const std::vector<CaseEntry>& ke
   };
   std::vector<std::string> differences;
   for (const std::string& key : changed_entries(kept, now))
-    if (!is_free(key, free))
+    if (!may_change(key))
       differences.push_back(fmt::format("{} was {} and is {} now", key, value(before, key),
                                         value(after, key)));
   if (differences.empty()) return;

@@ -1,26 +1,17 @@
 // When and where a run keeps its state, and whether a kept state fits the case at hand.
 #pragma once
 
+#include "coupling/run/run_request.h"
 #include "coupling/state/state_tree.h"
 
 #include <chrono>
 #include <filesystem>
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace interlock::coupling
 {
-// An entry of a parameter file as text: "Geogrid/Youngs modulus", "2.4e9".
-struct CaseEntry {
-  std::string key, value;
-};
-template <class Archive> void exchange(Archive& archive, CaseEntry& entry)
-{
-  archive("key", entry.key);
-  archive("value", entry.value);
-}
-
 class Checkpoints
 {
 public:
@@ -35,9 +26,11 @@ public:
   void write_as(const std::string& name, const StateTree& state) const;
 
   std::filesystem::path file() const { return folder_ / "checkpoint.h5"; }
-  // The state to go on from; empty when this folder has none yet. Throws InputError, one sentence,
-  // when the file is damaged; the sentence names the one before when that one is good.
-  std::optional<StateTree> read() const;
+  // The state to go on from. Throws InputError, one sentence, when there is none or the file is
+  // damaged; the sentence names the one before when that one is good.
+  StateTree read() const;
+  // Removes those of an earlier run.
+  void clear() const;
 
 private:
   std::filesystem::path folder_;
@@ -46,13 +39,20 @@ private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// Throws InputError, one sentence that names every entry of the case that differs from the one the
-// state was made with, but for those in `free` (keys, or whole sections as "Pull/"). `what` begins
-// the sentence: "The checkpoint results/quick/checkpoint.h5".
-void require_same_case(const std::string& what, const std::vector<CaseEntry>& kept,
-                       const std::vector<CaseEntry>& now, const std::vector<std::string>& free);
+// Whether a run has left a checkpoint in this folder.
+bool has_checkpoint(const std::filesystem::path& folder);
 
-// Keys of the entries that differ, those in `free` included.
+// Whether `key` is one of these, or lies in a section that is one of these ("Pull/").
+bool is_among(const std::string& key, const std::vector<std::string>& keys_and_sections);
+
+// Throws InputError, one sentence that names every entry of the case that differs from the one the
+// state was made with although it must not. `what` begins the sentence: "The checkpoint
+// results/quick/checkpoint.h5".
+void require_same_case(const std::string& what, const std::vector<CaseEntry>& kept,
+                       const std::vector<CaseEntry>& now,
+                       const std::function<bool(const std::string& key)>& may_change);
+
+// Keys of the entries that differ.
 std::vector<std::string> changed_entries(const std::vector<CaseEntry>& kept,
                                          const std::vector<CaseEntry>& now);
 } // namespace interlock::coupling

@@ -13,10 +13,12 @@
 // CONTRIBUTING.md shows a complete small one.
 #pragma once
 
+#include "coupling/files/atomic_file.h"
 #include "coupling/run/checkpoints.h"
 #include "coupling/run/physics_limits.h"
 #include "coupling/run/run_failure.h"
 #include "coupling/run/run_records.h"
+#include "coupling/run/run_request.h"
 #include "coupling/run/stage.h"
 #include "coupling/loop/state_hash.h"
 #include "coupling/state/state_archive.h"
@@ -27,15 +29,6 @@
 
 namespace interlock::coupling
 {
-struct RunRequest {
-  std::filesystem::path folder;       // of the output, exists
-  std::vector<CaseEntry> entries;     // of the case, as used
-  bool resume = false;                // go on from the checkpoint in the folder, if there is one
-  double checkpoint_interval = 60;    // of wall-clock time; 0: at the ends of stages only [s]
-  std::string version;                // of the program
-  Monitor monitor;
-};
-
 // So many steps between two looks at the screen, and between two checks that physics is sane. The
 // second one costs about as much as ten steps of a packed box.
 constexpr int steps_between_progress = 100, steps_between_checks = 1000;
@@ -53,8 +46,8 @@ public:
   {
   }
 
-  // All stages to the end; writes history, fields, checkpoints and summary.json. Throws InputError
-  // when a checkpoint does not fit, RunFailure when the physics or the disk fails, RunStopped when
+  // All stages to the end; writes history, fields and checkpoints. Throws InputError when a
+  // checkpoint does not fit, RunFailure when the physics fails or the disk is full, RunStopped when
   // the monitor asks to stop: the state is kept then.
   Summary run()
   {
@@ -65,6 +58,11 @@ public:
     } catch (const RunFailure&) {
       keep_failed_state();
       throw;
+    } catch (const WriteError& error) {
+      std::string sentence = error.what();
+      if (has_checkpoint(request_.folder))
+        sentence += "; the last checkpoint is good: make room and go on with --resume";
+      throw std::runtime_error(sentence + ".");
     }
     return records_.summary;
   }
@@ -73,13 +71,10 @@ private:
   void begin()
   {
     if (request_.resume) {
-      if (const std::optional<StateTree> state = checkpoints_.read()) {
-        resume(*state);
-        return;
-      }
-      records_.message("There is no checkpoint in " + request_.folder.string() +
-                       " yet: the run starts from the beginning.");
+      resume(checkpoints_.read());
+      return;
     }
+    checkpoints_.clear();
     records_.start();
     experiment_.begin(records_);
   }
@@ -95,8 +90,9 @@ private:
     if (experiment != Experiment::name)
       throw InputError(what + " belongs to an experiment \"" + experiment + "\", not to \"" +
                        Experiment::name + "\".");
-    require_same_case(what, entries, request_.entries,
-                      {"Output/Checkpoint interval", "Output/Report"});
+    require_same_case(what, entries, request_.entries, [](const std::string& key) {
+      return is_among(key, {"Output/Checkpoint interval", "Output/Report"});
+    });
     exchange_run(archive);
     archive.expect_all_read();
     records_.resume();
@@ -124,11 +120,11 @@ private:
     world().move();
     std::visit([&](auto& s) { after_step(s, experiment_, records_); }, stage);
 
+    if (request_.monitor.stop_requested && request_.monitor.stop_requested()) stop();
     const std::int64_t step = world().clock.step;
     if (step % steps_between_checks == 0) check_physics(world(), experiment_.limits());
     if (step % steps_between_progress == 0) records_.progress(status.fraction, world().clock);
     if (checkpoints_.due()) checkpoints_.write(state());
-    if (request_.monitor.stop_requested && request_.monitor.stop_requested()) stop();
   }
 
   void end_stage(const std::string& result)
@@ -166,9 +162,9 @@ private:
     summary.steps = world().clock.step;
     summary.simulated_time = world().clock.time();
     summary.wall_time = records_.wall_time();
-    summary.state_hash = state_hash(world());
+    summary.state_hash =
+        state_hash(clumps, world().geogrid() ? &world().geogrid()->dynamics() : nullptr);
     experiment_.finish(plan_, records_);
-    write_summary(request_.folder / "summary.json", summary);
   }
 
   // For finding out why; nothing goes on from it.

@@ -21,7 +21,7 @@ RunRecords::RunRecords(std::filesystem::path folder, std::vector<std::string> hi
 
 void RunRecords::start()
 {
-  frames_.remove_all();
+  frames_.start();
   history_.emplace(folder_ / "history.csv", columns_);
 }
 

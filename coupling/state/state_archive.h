@@ -18,6 +18,7 @@
 #include "coupling/state/state_tree.h"
 #include "dem/input_error.h"
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -26,8 +27,12 @@
 
 namespace interlock::coupling
 {
-// Types whose field list holds lists, so that entries of a vector of them differ in size.
-template <class T> struct StoredAsGroups : std::false_type {
+// Types whose field list holds lists, so that entries of a vector of them differ in size: they say
+// so with `static constexpr bool stored_as_groups = true`.
+template <class T, class = void> struct StoredAsGroups : std::false_type {
+};
+template <class T>
+struct StoredAsGroups<T, std::void_t<decltype(T::stored_as_groups)>> : std::true_type {
 };
 template <class... Types> struct StoredAsGroups<std::variant<Types...>> : std::true_type {
 };

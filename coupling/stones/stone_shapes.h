@@ -19,7 +19,17 @@ struct Stone {
                          // the origin of x_scan is the centre of volume
   double elongation = 0; // I/L of Zingg (1935): 1 for a cube, small for a rod (stone_size.h) [-]
   double longest = 0;    // L [m]
+
+  static constexpr bool stored_as_groups = true;
 };
+template <class Archive> void exchange(Archive& archive, Stone& stone)
+{
+  archive("shape", stone.shape);
+  archive("centre", stone.centre, "m");
+  archive("axes", stone.axes);
+  archive("elongation", stone.elongation);
+  archive("longest", stone.longest, "m");
+}
 
 // One stone a file, in the order of the files' names, or the synthetic batch. Throws InputError
 // when a file is not a closed stone or a clump cannot be made of it.

@@ -112,6 +112,7 @@ public:
   // component of the unbalanced force and torque is lowered by this share of its size where it
   // speeds the clump up, and raised where it slows it down. 0 switches it off [-].
   void set_local_damping(double share) { local_damping_ = share; }
+  double local_damping() const { return local_damping_; }
   void move_walls(double dt);
 
   // One whole step of everything, when there are no ribs.

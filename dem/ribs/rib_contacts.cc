@@ -7,17 +7,6 @@ namespace interlock::dem
 {
 namespace
 {
-// Whether a sphere is too far from the centre line to touch the rod. Without a root or a division.
-bool clear_of(const Rib& rib, const Vector3& centre, double radius)
-{
-  const Vector3 chord = rib.x[1] - rib.x[0], d = centre - rib.x[0];
-  const double along = chord.dot(d), square = chord.squaredNorm();
-  const double reach = radius + rib.half_width + rib.half_thickness;
-  if (along < 0) return d.squaredNorm() > reach * reach;
-  if (along > square) return (centre - rib.x[1]).squaredNorm() > reach * reach;
-  return d.squaredNorm() * square - along * along > reach * reach * square;
-}
-
 // Distance from a point to the flat core of a rib.
 double distance_to_core(const Rib& rib, const Vector3& p)
 {
@@ -33,7 +22,17 @@ const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
   energy.elastic = 0;
   wrenches_.clear();
   touching_.clear();
-  for (std::size_t g = 0; g < contacts_.size(); ++g) {
+  for (std::size_t n = 0; n < near_clumps_.size(); ++n)
+    evaluate_clump(near_contacts_[2 * n], near_contacts_[2 * n + 1], clumps, ribs, time_step, force,
+                   torque, energy);
+  return wrenches_;
+}
+
+void RibContacts::evaluate_clump(int first, int last, const Clumps& clumps,
+                                 const std::vector<Rib>& ribs, double time_step, VectorField& force,
+                                 VectorField& torque, ContactEnergy& energy)
+{
+  for (int g = first; g < last; ++g) {
     RibContact& c = contacts_[g];
     const Vector3 centre = clumps.position[c.i] + clumps.member_offset(c.i, c.a);
     const double radius = clumps.shape_of(c.i).spheres[c.a].radius;
@@ -50,14 +49,19 @@ const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
       touching_.push_back(group);
     else if (c.overlap > 0)
       open(group, clumps, ribs, time_step, energy);
-    const bool last_of_sphere =
-        g + 1 == contacts_.size() || contacts_[g + 1].i != c.i || contacts_[g + 1].a != c.a;
+    const bool last_of_sphere = g + 1 == last || contacts_[g + 1].a != c.a;
     if (!last_of_sphere) continue;
     if (touching_.size() > 1) merge_at_junctions(ribs, energy);
     for (const Group& t : touching_) touch(t, clumps, ribs, time_step, force, torque, energy);
     touching_.clear();
   }
-  return wrenches_;
+}
+
+double RibContacts::elastic_energy() const
+{
+  double sum = 0;
+  for (const RibContact& c : contacts_) sum += elastic_energy(c);
+  return sum;
 }
 
 double RibContacts::elastic_energy(const RibContact& c) const

@@ -33,8 +33,9 @@ public:
   RibContacts() = default;
   explicit RibContacts(ContactProperties stone_on_rib) : contact_(stone_on_rib) {}
 
-  // Makes the list complete for the present poses (see neighbour_lists.h for the rule). The ends of
-  // ribs may be refreshed by the caller at any time; `time_step` chooses the skin.
+  // Makes the list complete for the present poses and chooses the near clumps (see
+  // neighbour_lists.h for the rule). The ends of ribs may be refreshed by the caller at any time;
+  // `time_step` chooses the skin. Call it after the clumps were kicked.
   void update_list(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step);
   void invalidate() { valid_ = false; }
   void renumber_clumps(const std::vector<int>& new_index);
@@ -50,12 +51,20 @@ public:
                                          double time_step, VectorField& force, VectorField& torque,
                                          ContactEnergy& energy);
 
-  // Clumps that can touch a rib before the list expires, ascending; and the ribs that they can
-  // touch.
+  // The near clumps: those that may touch a rib within the step to come, and the ribs near them: those
+  // with a contact, and those with
+  //     gap < 2 time_step (speed of the clump + speed of the rib) + margin,
+  // where speeds bound those of any point, the factor leaves room for kicks within the step, and the
+  // margin, a hundredth of the rib's half thickness, for a light rib that another stone sets off.
+  // This is a function of the present state of one clump and the ribs alone. The list proposes
+  // whom to look at and has no say: everybody who may be chosen is in it.
+  // update_list chooses them, ascending, and evaluate looks at no others.
   const std::vector<int>& near_clumps() const { return near_clumps_; }
   const std::vector<int>& near_ribs() const { return near_ribs_; }
   const std::vector<RibContact>& contacts() const { return contacts_; }
   const ContactProperties& properties() const { return contact_; }
+  ContactProperties& properties() { return contact_; }
+  double elastic_energy() const; // of all of them, for the present properties [J]
   // Energy in the springs of the contacts of the marked clumps, at the last evaluation [J].
   double elastic_energy_of(const std::vector<bool>& clumps) const;
 
@@ -67,6 +76,14 @@ private:
   };
 
   void build(const Clumps& clumps, const std::vector<Rib>& ribs);
+  bool list_holds(const Clumps& clumps, const std::vector<Rib>& ribs, double fastest,
+                  double time_step) const;
+  void select_near(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step);
+  bool may_touch(const RibContact& contact, const Clumps& clumps, const std::vector<Rib>& ribs,
+                 double time_step, double speed) const;
+  void evaluate_clump(int first, int last, const Clumps& clumps, const std::vector<Rib>& ribs,
+                      double time_step, VectorField& force, VectorField& torque,
+                      ContactEnergy& energy);
   void touch(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
              double time_step, VectorField& force, VectorField& torque, ContactEnergy& energy);
   void open(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
@@ -85,6 +102,9 @@ private:
   std::vector<RibContact> contacts_, old_contacts_;
   std::vector<int> candidate_ribs_;
   std::vector<int> near_clumps_, near_ribs_;
+  std::vector<int> near_contacts_; // first and one past the last contact of each near clump
+  std::vector<double> rib_speed_;  // bounds [m/s]
+  std::vector<char> rib_is_near_;
   std::vector<Group> touching_;
   std::vector<RibWrench> wrenches_;
 };

@@ -186,6 +186,9 @@ LatticeState ExplicitDynamics::state() const
   state.clamp_work = clamp_work_;
   state.load_work = load_work_;
   state.damping_loss = damping_loss_;
+  state.largest_force = largest_force_;
+  state.clamp_reaction = clamp_reaction_;
+  state.damping_force = damping_force_;
   return state;
 }
 
@@ -222,5 +225,8 @@ void ExplicitDynamics::set_state(const LatticeState& state)
   clamp_work_ = state.clamp_work;
   load_work_ = state.load_work;
   damping_loss_ = state.damping_loss;
+  largest_force_ = state.largest_force;
+  clamp_reaction_ = state.clamp_reaction;
+  damping_force_ = state.damping_force;
 }
 } // namespace interlock::fem

@@ -54,7 +54,27 @@ struct LatticeState {
   std::vector<double> plastic_stretch;                    // up to the last step's start [-]
   double previous_step = 0;                               // [s]
   double clamp_work = 0, load_work = 0, damping_loss = 0; // [J]
+  double largest_force = 0;                               // of any element at the last step [N]
+  Eigen::Vector3d clamp_reaction{0, 0, 0};                // in the last step [N]
+  Eigen::Vector3d damping_force{0, 0, 0};                 // the same [N]
 };
+
+template <class Archive> void exchange(Archive& archive, LatticeState& state)
+{
+  archive("position", state.position, "m");
+  archive("orientation", state.orientation);
+  archive("velocity", state.velocity, "m/s");
+  archive("spin", state.spin, "rad/s");
+  archive("angular_momentum", state.angular_momentum, "kg m2/s");
+  archive("plastic_stretch", state.plastic_stretch);
+  archive("previous_step", state.previous_step, "s");
+  archive("clamp_work", state.clamp_work, "J");
+  archive("load_work", state.load_work, "J");
+  archive("damping_loss", state.damping_loss, "J");
+  archive("largest_force", state.largest_force, "N");
+  archive("clamp_reaction", state.clamp_reaction, "N");
+  archive("damping_force", state.damping_force, "N");
+}
 
 // Steps the lattice. Each step takes the loads and the clamp velocity that were set before it. All
 // vectors are in the world frame. Accessors give positions at the present time t and velocities at

@@ -1,0 +1,146 @@
+#include "coupling/packing/packing_stages.h"
+
+#include "coupling/packing/packing.h"
+#include "coupling/run/run_failure.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace interlock::coupling
+{
+namespace
+{
+// Whether one of `n` events, spread evenly over `total` steps, falls on this step; the last one
+// falls on the last step.
+bool is_due(std::int64_t step, std::int64_t n, std::int64_t total)
+{
+  return (step + 1) * n / total > step * n / total;
+}
+
+int touching_clump_pairs(const dem::Engine& engine)
+{
+  int pairs = 0, i = -1, j = -1;
+  for (const dem::SphereContact& c : engine.sphere_contacts()) { // sorted by clumps
+    if (!c.touching || (c.i == i && c.j == j)) continue;
+    i = c.i, j = c.j;
+    ++pairs;
+  }
+  return pairs;
+}
+
+int touching_walls(const dem::Engine& engine)
+{
+  int contacts = 0;
+  for (const dem::WallContact& c : engine.wall_contacts()) contacts += c.touching;
+  return contacts;
+}
+
+void start(StepTimer& timer)
+{
+  timer.start = StepTimer::Clock::now();
+}
+
+void stop(StepTimer& timer)
+{
+  timer.seconds +=
+      std::chrono::duration<double>(StepTimer::Clock::now() - timer.start).count();
+}
+
+// The floor is the first wall, the sides follow.
+double side_wall_friction(const dem::Engine& engine)
+{
+  double sum = 0;
+  for (std::size_t w = 1; w < engine.walls().size(); ++w) sum -= engine.walls()[w].force.z();
+  return sum;
+}
+
+double floor_force(const dem::Engine& engine)
+{
+  return -engine.walls()[0].force.z();
+}
+
+void record(const TimedStage& stage, const World& world, RunRecords& records)
+{
+  const dem::Engine& engine = world.engine;
+  records.add({world.clock.time(), stage.ledger.kinetic_stones,
+               double(engine.n_touching_spheres()), double(touching_walls(engine)),
+               engine.largest_overlap(), floor_force(engine), side_wall_friction(engine),
+               stage.ledger.relative_error()});
+  Summary& summary = records.summary;
+  summary.contacts = engine.n_touching_spheres();
+  summary.results["touching_sphere_pairs"] = summary.contacts;
+  summary.results["touching_clump_pairs"] = touching_clump_pairs(engine);
+  summary.results["wall_contacts"] = touching_walls(engine);
+  summary.results["largest_overlap_m"] = engine.largest_overlap();
+}
+
+void check_for_missed_contacts(const World& world)
+{
+  const int listed = world.engine.n_touching_spheres(),
+            there = world.engine.count_overlaps_brute_force();
+  if (listed != there)
+    throw RunFailure(fmt::format("At step {} the neighbour lists hold {} touching sphere pairs, but a "
+                                 "search of all pairs finds {}.",
+                                 world.clock.step, listed, there));
+}
+} // namespace
+
+StageStatus before_step(WarmUpStage& stage, Packing& packing, RunRecords&)
+{
+  const int total = packing.parameters().warm_up_steps;
+  if (stage.done == total)
+    return finished(fmt::format("{} steps, {:.4g} ms a step, kinetic energy {:.2g} J", total,
+                                1e3 * stage.timer.seconds / total,
+                                packing.world().kinetic_energy()));
+  start(stage.timer);
+  return running(double(stage.done) / total);
+}
+
+void after_step(WarmUpStage& stage, Packing&, RunRecords&)
+{
+  stop(stage.timer);
+  ++stage.done;
+}
+
+StageStatus before_step(TimedStage& stage, Packing& packing, RunRecords&)
+{
+  const PackingParameters& p = packing.parameters();
+  const int total = p.timed_steps;
+  if (stage.done == total)
+    return finished(
+        fmt::format("{} of {} steps timed, between records and checks", stage.steps, total));
+  stage.look_due = is_due(stage.done, p.records, total) ||
+                   is_due(stage.done, p.state.missed_contact_checks, total);
+  packing.world().engine.reset_profile();
+  start(stage.timer);
+  return running(double(stage.done) / total);
+}
+
+void look(TimedStage& stage, Packing& packing, RunRecords& records)
+{
+  if (!stage.look_due) return;
+  const PackingParameters& p = packing.parameters();
+  const World& world = packing.world();
+  if (!world.held) stage.ledger = world.ledger(); // stones that forces do not move have none
+  if (is_due(stage.done, p.records, p.timed_steps)) record(stage, world, records);
+  if (is_due(stage.done, p.state.missed_contact_checks, p.timed_steps))
+    check_for_missed_contacts(world);
+}
+
+void after_step(TimedStage& stage, Packing& packing, RunRecords&)
+{
+  ++stage.done;
+  if (stage.look_due) return;
+  stop(stage.timer);
+  ++stage.steps;
+  const dem::Engine& engine = packing.world().engine;
+  stage.floor += floor_force(engine);
+  stage.side_walls += side_wall_friction(engine);
+  const dem::StepProfile p = engine.profile();
+  stage.profile.broad_phase += p.broad_phase;
+  stage.profile.lists += p.lists;
+  stage.profile.contacts += p.contacts;
+  stage.profile.integration += p.integration;
+}
+} // namespace interlock::coupling

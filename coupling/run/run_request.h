@@ -1,0 +1,30 @@
+// What a run is asked to do, beside the parameters of its experiment.
+#pragma once
+
+#include "coupling/output/monitor.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace interlock::coupling
+{
+// An entry of a parameter file as text: "Geogrid/Youngs modulus", "2.4e9".
+struct CaseEntry {
+  std::string key, value;
+};
+template <class Archive> void exchange(Archive& archive, CaseEntry& entry)
+{
+  archive("key", entry.key);
+  archive("value", entry.value);
+}
+
+struct RunRequest {
+  std::filesystem::path folder;    // of the output; exists when the run begins
+  std::vector<CaseEntry> entries;  // of the case, as used
+  bool resume = false;             // go on from the checkpoint in the folder
+  double checkpoint_interval = 60; // of wall-clock time; 0: at the ends of stages only [s]
+  std::string version;             // of the program
+  Monitor monitor;
+};
+} // namespace interlock::coupling
