@@ -11,6 +11,7 @@
 #include "coupling/loop/world.h"
 #include "coupling/run/physics_limits.h"
 #include "coupling/run/run_records.h"
+#include "coupling/run/run_request.h"
 
 #include <string>
 #include <variant>

@@ -10,6 +10,7 @@
 #include "coupling/packing/packing_stages.h"
 #include "coupling/run/physics_limits.h"
 #include "coupling/run/run_records.h"
+#include "coupling/run/run_request.h"
 
 #include <string>
 #include <variant>

@@ -7,6 +7,7 @@
 
 #include "coupling/run/physics_limits.h"
 #include "coupling/run/run_records.h"
+#include "coupling/run/run_request.h"
 #include "coupling/loop/world.h"
 #include "coupling/pull_out/pull_out_parameters.h"
 #include "coupling/pull_out/pull_out_stages.h"
