@@ -116,7 +116,8 @@ void PullOut::describe_packing()
 {
   const BoxParameters& box = parameters_.box;
   const double mass = filling_->mass_in_box(), surface = filling_->surface_height();
-  const double stones = static_cast<double>(engine_->clumps().size());
+  int stones = 0;
+  for (int i = 0; i < engine_->clumps().size(); ++i) stones += filling_->is_stone(i);
   const dem::ScalarField& masses = engine_->clumps().mass; // the surcharge's, too
   const double total_mass = std::accumulate(masses.begin(), masses.end(), 0.);
   nlohmann::ordered_json& results = summary_.results;
