@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 namespace interlock::apps
 {
@@ -49,8 +50,8 @@ std::string progress_text(const coupling::Progress& progress, const double steps
 }
 
 ProgressDisplay::ProgressDisplay(std::ostream& screen, const bool screen_is_terminal,
-                                 std::ostream& log)
-    : screen_(screen), terminal_(screen_is_terminal), log_(log)
+                                 std::ostream& log, std::function<Clock::time_point()> now)
+    : screen_(screen), terminal_(screen_is_terminal), log_(log), now_(std::move(now))
 {
 }
 
@@ -71,7 +72,7 @@ void ProgressDisplay::start_stage(const coupling::Progress& progress, const Cloc
 
 void ProgressDisplay::show(const coupling::Progress& progress)
 {
-  const auto now = Clock::now();
+  const auto now = now_();
   if (progress.stage != stage_) start_stage(progress, now);
   const bool bar_due = terminal_ && now - last_bar_ > bar_interval;
   const bool line_due = now - last_line_ > line_interval;

@@ -5,6 +5,7 @@
 #include "coupling/output/monitor.h"
 
 #include <chrono>
+#include <functional>
 #include <iosfwd>
 #include <string>
 
@@ -25,8 +26,10 @@ class ProgressDisplay
 {
 public:
   // `log` receives every message and a plain line about every 10 s of wall time. Both streams must
-  // outlive the display.
-  ProgressDisplay(std::ostream& screen, bool screen_is_terminal, std::ostream& log);
+  // outlive the display. `now` tells the time, so that a test can make it pass.
+  using Clock = std::chrono::steady_clock;
+  ProgressDisplay(std::ostream& screen, bool screen_is_terminal, std::ostream& log,
+                  std::function<Clock::time_point()> now = Clock::now);
   ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
@@ -35,14 +38,13 @@ public:
   void message(const std::string& sentence);
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   void start_stage(const coupling::Progress& progress, Clock::time_point now);
   void clear_bar();
 
   std::ostream& screen_;
   bool terminal_;
   std::ostream& log_;
+  std::function<Clock::time_point()> now_;
   bool bar_visible_ = false;
   std::string stage_;
   Clock::time_point stage_start_, last_bar_, last_line_;

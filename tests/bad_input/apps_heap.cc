@@ -38,28 +38,38 @@ protected:
 };
 } // namespace
 
+// Entry, value and what is allowed, each in the words of the answer: a number alone, or the letter
+// of a unit, is in almost any sentence.
 TEST_F(BadHeap, ValuesOutsideTheirRange)
 {
-  expect("Drop/Batches=0", {"Batches", "0", "1"});
-  expect("Drop/Batches=2.5", {"Batches", "2.5", "whole number"});
-  expect("Drop/Height=-1", {"Height", "-1", "greater than 0", "m"});
-  expect("Drop/Disc radius=10 mm", {"Disc radius", "10 mm"});
-  expect("Gravity=0", {"Gravity", "0", "greater than 0"});
-  expect("Contact/Stone friction=-0.1", {"Stone friction", "-0.1"});
-  expect("Contact/Damping ratio=1.5", {"Damping ratio", "1.5", "from 0 to 1"});
-  expect("Contact/Local damping=-0.1", {"Local damping", "-0.1", "from 0 to 1"});
-  expect("Measures/Elongation limit=1.2", {"Elongation limit", "1.2", "from 0 to 1"});
+  expect("Drop/Batches=0",
+         {"\"Drop/Batches\" is \"0\"", "must be a whole number from 1 to 10000."});
+  expect("Drop/Batches=2.5", {"\"Drop/Batches\" is \"2.5\"", "a whole number from 1 to 10000."});
+  expect("Drop/Height=-1", {"\"Drop/Height\" is \"-1\"", "must be a number greater than 0, in m."});
+  expect("Drop/Disc radius=10 mm",
+         {"\"Drop/Disc radius\" is \"10 mm\"", "without their unit", "in m (here 0.01)."});
+  expect("Gravity=0", {"\"Gravity\" is \"0\"", "a number greater than 0, in m/s2."});
+  expect("Contact/Stone friction=-0.1",
+         {"\"Contact/Stone friction\" is \"-0.1\"", "must be a number of 0 or more."});
+  expect("Contact/Damping ratio=1.5",
+         {"\"Contact/Damping ratio\" is \"1.5\"", "must be a number from 0 to 1."});
+  expect("Contact/Local damping=-0.1",
+         {"\"Contact/Local damping\" is \"-0.1\"", "must be a number from 0 to 1."});
+  expect("Measures/Elongation limit=1.2",
+         {"\"Measures/Elongation limit\" is \"1.2\"", "must be a number from 0 to 1."});
   expect("Stones/Mass properties=corrected",
-         {"Mass properties", "corrected", "\"equal-mass\"", "\"mesh\""});
-  expect("Output/Record interval=0", {"Record interval", "0", "greater than 0"});
+         {"\"Stones/Mass properties\" is \"corrected\"", "\"equal-mass\"", "\"mesh\""});
+  expect("Output/Record interval=0",
+         {"\"Output/Record interval\" is \"0\"", "a number greater than 0, in s."});
 }
 
 TEST_F(BadHeap, ContradictionsAndUnknownNames)
 {
-  expect("Drop/Disc radius=3", {"Drop/Disc radius", "3 m", "half the side of the floor"});
-  expect("Stones/D min=-1", {"D min", "-1", "0 or more"});
-  expect("Drop/Hight=2", {"Drop/Hight", "Drop/Height"});
-  expect("Pull/Speed=1", {"Pull/Speed"});
+  expect("Drop/Disc radius=3", {"The disc from which the stones fall has a radius of 3 m",
+                                "smaller than half the side of the floor, 3 m."});
+  expect("Stones/D min=-1", {"\"Stones/D min\" is \"-1\"", "a number of 0 or more, in m."});
+  expect("Drop/Hight=2", {"\"Drop/Hight\"", "the nearest known one is \"Drop/Height\""});
+  expect("Pull/Speed=1", {"\"Pull/Speed\""});
 }
 
 TEST_F(BadHeap, CaseIsTheTestOfThePaper)

@@ -31,26 +31,65 @@ TEST(Progress, BarIsFullOnlyAtTheEnd)
   EXPECT_EQ(apps::progress_bar(1.5, 4), "[####]");
 }
 
+namespace
+{
+// A clock that stands still until the test moves it on.
+struct StoppedClock {
+  std::chrono::steady_clock::time_point time{std::chrono::hours(1)};
+  void wait(double seconds)
+  {
+    time += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+        std::chrono::duration<double>(seconds));
+  }
+};
+} // namespace
+
+// The first line comes a second after the stage has begun, the next ones 10 s apart.
 TEST(Progress, FileGetsSentencesAndNoBar)
 {
   std::ostringstream screen, log;
+  StoppedClock clock;
   {
-    apps::ProgressDisplay display(screen, false, log);
-    for (int step = 0; step < 1000; ++step) display.show({"pull", 1e-3 * step, 1e-6 * step, step});
+    apps::ProgressDisplay display(screen, false, log, [&clock] { return clock.time; });
+    const auto show_thousand = [&display](double seconds, int steps) {
+      for (int n = 0; n < 1000; ++n) display.show({"pull", 0.25, seconds, steps});
+    };
+    display.show({"pull", 0, 0, 0});
+    clock.wait(0.9);
+    show_thousand(0.1, 900);
+    EXPECT_EQ(screen.str(), "");
+    clock.wait(0.2);
+    show_thousand(0.5, 1100);
+    const std::string first = "pull  25 %, 0.500 s simulated, 1000 steps/s, 3 s left\n";
+    EXPECT_EQ(screen.str(), first);
+    clock.wait(9.9);
+    show_thousand(1, 5500);
+    EXPECT_EQ(screen.str(), first);
+    clock.wait(0.2);
+    show_thousand(2, 5600);
     display.message("The pull is done.");
+    EXPECT_EQ(screen.str(), first + "pull  25 %, 2.000 s simulated, 500 steps/s, 34 s left\n"
+                                    "The pull is done.\n");
   }
-  EXPECT_EQ(screen.str(), "The pull is done.\n"); // 1000 steps take less than the first second
   EXPECT_EQ(log.str(), screen.str());
 }
 
 TEST(Progress, TerminalGetsABarThatLeavesNoTrace)
 {
   std::ostringstream screen, log;
+  StoppedClock clock;
   {
-    apps::ProgressDisplay display(screen, true, log);
+    apps::ProgressDisplay display(screen, true, log, [&clock] { return clock.time; });
     display.show({"pull", 0.5, 1, 10});
+    const std::string once = screen.str();
+    EXPECT_NE(once.find("[###############...............] pull  50 %"), std::string::npos);
+    clock.wait(0.05);
+    display.show({"pull", 0.6, 1, 11});
+    EXPECT_EQ(screen.str(), once); // ten bars a second are enough
+    clock.wait(0.06);
+    display.show({"pull", 0.7, 1, 12});
+    EXPECT_NE(screen.str().find("pull  70 %"), std::string::npos);
   }
-  EXPECT_NE(screen.str().find("[###############...............] pull  50 %"), std::string::npos);
   EXPECT_EQ(screen.str().substr(screen.str().size() - 4), "\r\033[K"); // the line is erased
   EXPECT_EQ(log.str(), "");
 }

@@ -85,11 +85,31 @@ TEST(NeighbourLists, MissNothing)
 TEST(NeighbourLists, ContactsAreSortedAndUnique)
 {
   Engine engine = crowd(4);
-  for (int n = 0; n < 200; ++n) engine.step(2e-5);
-  const auto& contacts = engine.sphere_contacts();
-  for (std::size_t c = 1; c < contacts.size(); ++c)
-    ASSERT_LT(std::tie(contacts[c - 1].i, contacts[c - 1].j, contacts[c - 1].a, contacts[c - 1].b),
-              std::tie(contacts[c].i, contacts[c].j, contacts[c].a, contacts[c].b));
+  std::size_t touching = 0, partners = 0, at_wall = 0;
+  for (int n = 0; n < 3000; ++n) {
+    engine.step(2e-5);
+    if (n % 20 != 0) continue;
+    const std::vector<SphereContact> contacts = engine.sphere_contacts();
+    for (std::size_t c = 1; c < contacts.size(); ++c) {
+      ASSERT_LT(
+          std::tie(contacts[c - 1].i, contacts[c - 1].j, contacts[c - 1].a, contacts[c - 1].b),
+          std::tie(contacts[c].i, contacts[c].j, contacts[c].a, contacts[c].b));
+      // Pairs with the same first clump are what an unsorted list would mix.
+      partners += contacts[c - 1].i == contacts[c].i && contacts[c - 1].j != contacts[c].j;
+    }
+    for (const SphereContact& c : contacts) {
+      ASSERT_LT(c.i, c.j);
+      touching += c.touching;
+    }
+    const std::vector<WallContact> walls = engine.wall_contacts();
+    for (std::size_t c = 1; c < walls.size(); ++c)
+      ASSERT_LT(std::tie(walls[c - 1].wall, walls[c - 1].i, walls[c - 1].a),
+                std::tie(walls[c].wall, walls[c].i, walls[c].a));
+    at_wall += walls.size();
+  }
+  EXPECT_GT(touching, 1000u);
+  EXPECT_GT(partners, 200u);
+  EXPECT_GT(at_wall, 200u);
 }
 
 // Rebuilding the lists at every step must give the same digits as rebuilding them when they expire.

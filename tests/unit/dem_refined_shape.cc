@@ -77,11 +77,21 @@ TEST(RefinedShape, HasTheSameOutline)
 
 TEST(RefinedShape, SameSeedSameSpheres)
 {
-  RandomStream first(1), second(1);
+  RandomStream first(1), second(1), other(2);
   const ClumpShape a = refined_shape(stone(), 60, range, first),
-                   b = refined_shape(stone(), 60, range, second);
-  for (std::size_t k = 0; k < a.spheres.size(); ++k)
+                   b = refined_shape(stone(), 60, range, second),
+                   c = refined_shape(stone(), 60, range, other);
+  ASSERT_EQ(a.spheres.size(), 60u);
+  ASSERT_EQ(b.spheres.size(), 60u);
+  ASSERT_EQ(c.spheres.size(), 60u);
+  for (std::size_t k = 0; k < a.spheres.size(); ++k) {
     EXPECT_EQ(a.spheres[k].centre, b.spheres[k].centre);
+    EXPECT_EQ(a.spheres[k].radius, b.spheres[k].radius);
+    if (k < stone().spheres.size()) continue;
+    // Another seed draws every one of the small spheres anew, size and place.
+    EXPECT_GT((a.spheres[k].centre - c.spheres[k].centre).norm(), 1e-9) << k;
+    EXPECT_GT(std::abs(a.spheres[k].radius - c.spheres[k].radius), 1e-9) << k;
+  }
 }
 
 TEST(RefinedShape, RefusesWhatCannotBe)
