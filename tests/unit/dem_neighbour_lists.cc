@@ -1,52 +1,19 @@
 // The nested lists against brute force, on random clumps that fly through each other's reach. Fails
 // when a skin, a displacement bound or the slab filter loses a pair, or when lists change a digit.
-#include "dem/engine/engine.h"
-#include "dem/random_stream.h"
+#include "tests/dem_crowd.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 using namespace interlock::dem;
+using crowd::time_step;
 
 namespace
 {
-ClumpShape random_shape(RandomStream& random, int n_spheres)
+Engine linear_crowd(std::uint64_t seed)
 {
-  ClumpShape shape;
-  for (int a = 0; a < n_spheres; ++a)
-    shape.spheres.push_back({random.direction().cwiseProduct(Vector3(0.014, 0.010, 0.007)),
-                             random.uniform(0.003, 0.007)});
-  shape.volume = 2e-5;
-  shape.unit_inertia = Vector3(1.2, 1.6, 2.1) * 1e-9;
-  return shape;
-}
-
-// A crowd at random places and attitudes, thrown at 1 m/s and 40 rad/s (rms).
-Engine crowd(std::uint64_t seed)
-{
-  RandomStream random(seed);
-  ContactProperties soft;
-  soft.normal_stiffness = soft.tangential_stiffness = 1e4;
-  soft.friction = 0.5;
-  soft.damping_ratio = 0.1;
-  Engine engine({random_shape(random, 25), random_shape(random, 40)}, soft, 9.81);
-  for (int n = 0; n < 60; ++n) {
-    const Vector3 place(random.uniform(0, 0.15), random.uniform(0, 0.15),
-                        random.uniform(0.03, 0.15));
-    const Eigen::AngleAxisd turn(random.uniform(0, 3), random.direction());
-    const int i = engine.add_clump(n % 2, 2650, place, Quaternion(turn), random.direction());
-    engine.clumps().angular_momentum[i] =
-        40 * engine.clumps().inertia[i].mean() * random.direction();
-    engine.clumps().spin[i] = engine.clumps().spin_of(i, engine.clumps().angular_momentum[i]);
-  }
-  Wall floor;
-  floor.corner = {-1, -1, 0};
-  floor.edge1 = {2, 0, 0};
-  floor.edge2 = {0, 2, 0};
-  floor.contact = soft;
-  engine.add_wall(floor);
-  return engine;
+  return crowd::thrown(seed, crowd::laws().front().pair).engine;
 }
 
 int wall_overlaps_brute_force(const Engine& engine)
@@ -65,7 +32,7 @@ int wall_overlaps_brute_force(const Engine& engine)
 
 TEST(NeighbourLists, MissNothing)
 {
-  Engine engine = crowd(3);
+  Engine engine = linear_crowd(3);
   const double dt = 2e-5;
   int checks_with_contacts = 0;
   for (int n = 0; n < 3000; ++n) {
@@ -84,7 +51,7 @@ TEST(NeighbourLists, MissNothing)
 
 TEST(NeighbourLists, ContactsAreSortedAndUnique)
 {
-  Engine engine = crowd(4);
+  Engine engine = linear_crowd(4);
   for (int n = 0; n < 200; ++n) engine.step(2e-5);
   const auto& contacts = engine.sphere_contacts();
   for (std::size_t c = 1; c < contacts.size(); ++c)
@@ -92,45 +59,63 @@ TEST(NeighbourLists, ContactsAreSortedAndUnique)
               std::tie(contacts[c].i, contacts[c].j, contacts[c].a, contacts[c].b));
 }
 
-// Rebuilding the lists at every step must give the same digits as rebuilding them when they expire.
-TEST(NeighbourLists, RebuildingChangesNoDigit)
+// With every law: idle entries must add exact zeros wherever a law or a sum meets them.
+class NeighbourListsOfEachLaw : public testing::TestWithParam<crowd::Law>
 {
-  Engine lazy = crowd(5), eager = crowd(5);
+protected:
+  Engine throw_crowd(std::uint64_t seed) const
+  {
+    return crowd::thrown(seed, GetParam().pair).engine;
+  }
+
+  static void expect_same_digits(const Engine& a, const Engine& b)
+  {
+    ASSERT_GT(a.n_touching_spheres(), 30);
+    ASSERT_EQ(a.n_touching_spheres(), b.n_touching_spheres());
+    for (int i = 0; i < a.clumps().size(); ++i) {
+      ASSERT_EQ(a.clumps().position[i], b.clumps().position[i]) << "clump " << i;
+      ASSERT_EQ(a.clumps().angular_momentum[i], b.clumps().angular_momentum[i]) << "clump " << i;
+    }
+    const EngineEnergy p = a.energy(time_step), q = b.energy(time_step);
+    EXPECT_EQ(p.kinetic, q.kinetic);
+    EXPECT_EQ(p.contact.elastic, q.contact.elastic);
+    EXPECT_EQ(p.contact.friction, q.contact.friction);
+    EXPECT_EQ(p.contact.damping, q.contact.damping);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Laws, NeighbourListsOfEachLaw, testing::ValuesIn(crowd::laws()),
+                         [](const auto& law) { return law.param.name; });
+
+// Rebuilding the lists at every step must give the same digits as rebuilding them when they expire.
+TEST_P(NeighbourListsOfEachLaw, RebuildingChangesNoDigit)
+{
+  Engine lazy = throw_crowd(5), eager = throw_crowd(5);
   for (int n = 0; n < 500; ++n) {
-    lazy.step(2e-5);
+    lazy.step(time_step);
     // Removing nobody invalidates the lists and keeps the history.
     eager.remove_clumps(std::vector<bool>(eager.clumps().size(), false));
-    eager.step(2e-5);
+    eager.step(time_step);
   }
-  for (int i = 0; i < lazy.clumps().size(); ++i) {
-    ASSERT_EQ(lazy.clumps().position[i], eager.clumps().position[i]) << "clump " << i;
-    ASSERT_EQ(lazy.clumps().angular_momentum[i], eager.clumps().angular_momentum[i])
-        << "clump " << i;
-  }
+  expect_same_digits(lazy, eager);
 }
 
 // Neither does any width of the skins.
-TEST(NeighbourLists, SkinsChangeNoDigit)
+TEST_P(NeighbourListsOfEachLaw, SkinsChangeNoDigit)
 {
-  Engine reference = crowd(7);
-  for (int n = 0; n < 500; ++n) reference.step(2e-5);
+  Engine reference = throw_crowd(7);
+  for (int n = 0; n < 500; ++n) reference.step(time_step);
   for (const ListSettings& skins :
        {ListSettings{1e-6, 1e-4}, ListSettings{1e-4, 1e-3}, ListSettings{5e-4, 2e-3}}) {
-    Engine engine = crowd(7);
+    Engine engine = throw_crowd(7);
     engine.set_list_settings(skins);
-    for (int n = 0; n < 500; ++n) engine.step(2e-5);
-    ASSERT_EQ(engine.n_touching_spheres(), reference.n_touching_spheres());
-    for (int i = 0; i < engine.clumps().size(); ++i) {
-      ASSERT_EQ(engine.clumps().position[i], reference.clumps().position[i]) << "clump " << i;
-      ASSERT_EQ(engine.clumps().angular_momentum[i], reference.clumps().angular_momentum[i]);
-    }
-    EXPECT_EQ(engine.energy(2e-5).contact.damping, reference.energy(2e-5).contact.damping);
+    for (int n = 0; n < 500; ++n) engine.step(time_step);
+    expect_same_digits(engine, reference);
   }
 }
 
 TEST(NeighbourLists, RemovalKeepsTheHistoryOfTheOthers)
 {
-  Engine engine = crowd(6);
+  Engine engine = linear_crowd(6);
   for (int n = 0; n < 400; ++n) engine.step(2e-5);
   std::vector<std::pair<std::int64_t, Vector3>> before;
   const std::int64_t gone = engine.clumps().id[7];
