@@ -113,6 +113,39 @@ TEST_P(NeighbourListsOfEachLaw, SkinsChangeNoDigit)
   }
 }
 
+// Two balls that rub on each other and on the floor fly off, farther in one step than narrow skins
+// reach. What their contacts held and what the dashpots did meanwhile must be booked all the same.
+TEST_P(NeighbourListsOfEachLaw, ContactsThatOpenWideAreBooked)
+{
+  constexpr double radius = 0.01, depth = 1e-4, dt = 1e-5;
+  const auto fly_off = [&](const ListSettings& skins) {
+    ClumpShape ball;
+    ball.spheres = {{Vector3::Zero(), radius}};
+    ball.volume = 4e-6;
+    ball.unit_inertia = Vector3::Constant(1.6e-10);
+    Engine engine({ball}, GetParam().pair, 0);
+    engine.set_list_settings(skins);
+    engine.add_wall(rectangle_wall("floor", {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, GetParam().pair));
+    for (const double side : {-1, 1})
+      engine.add_clump(0, 2650, {side * (radius - 0.5 * depth), 0, radius - depth},
+                       Quaternion::Identity(), {0, 0.1 * side, 0});
+    for (int n = 0; n < 5; ++n) engine.step(dt);
+    const ContactEnergy before = engine.energy(dt).contact;
+    for (int i : {0, 1}) engine.clumps().velocity[i] = Vector3(i == 0 ? -40 : 40, 0, 60);
+    engine.step(dt);
+    engine.compute_forces(dt);
+    EXPECT_EQ(engine.n_touching_spheres(), 0);
+    ContactEnergy lost = engine.energy(dt).contact;
+    EXPECT_EQ(lost.elastic, 0);
+    EXPECT_GT(lost.friction, before.friction + 1e-7); // what the springs held [J]
+    EXPECT_NE(lost.damping, before.damping);
+    return lost;
+  };
+  const ContactEnergy narrow = fly_off({1e-6, 1e-4}), wide = fly_off({2e-3, 5e-3});
+  EXPECT_EQ(narrow.friction, wide.friction);
+  EXPECT_EQ(narrow.damping, wide.damping);
+}
+
 TEST(NeighbourLists, RemovalKeepsTheHistoryOfTheOthers)
 {
   Engine engine = linear_crowd(6);
