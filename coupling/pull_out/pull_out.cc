@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace interlock::coupling
 {
@@ -173,14 +174,13 @@ double PullOut::settled_energy(Settling settling) const
 {
   // Small stones keep slipping into voids for long; before the next pour that does not matter.
   const double looseness = settling == Settling::between_pours ? 10 : 1;
-  double weight = 0;
-  for (int i = 0; i < engine_->clumps().size(); ++i)
-    weight += engine_->clumps().mass[i] * parameters_.gravity;
+  const dem::ScalarField& masses = engine_->clumps().mass;
+  const double weight = parameters_.gravity * std::accumulate(masses.begin(), masses.end(), 0.);
   return looseness * parameters_.filling.kinetic_energy_ratio * weight * mean_size_;
 }
 
-// Runs for at least `at_least` seconds and then until the kinetic energy is low. False when the
-// limit came first.
+// Runs for at least `at_least` seconds and then until the kinetic energy is low; warns when the
+// limit comes first.
 void PullOut::settle(double at_least, double fraction_begin, Settling settling)
 {
   const double start = time_, limit = at_least + parameters_.filling.settling_time_limit;
