@@ -155,6 +155,7 @@ StableStep Engine::stable_step(const RibContacts* ribs) const
       largest = rate[i];
       limit = {2 / std::sqrt(2 * rate[i]),
                clumps_.id[i],
+               clumps_.shape[i],
                clumps_.mass[i],
                contacts[i],
                stiffness[i] / contacts[i],
@@ -184,7 +185,8 @@ StableStep Engine::expected_stable_step(const std::vector<double>& densities, in
     if (rate > largest) {
       largest = rate;
       limit = {2 / std::sqrt(2 * rate),
-               static_cast<std::int64_t>(s),
+               -1,
+               static_cast<int>(s),
                mass,
                n_contacts,
                largest_stiffness(stone_on_stone_, 0, 0),
