@@ -97,8 +97,11 @@ std::vector<WallContact> Engine::wall_contacts() const
   return contacts;
 }
 
+// At the present poses, of contacts that touched when forces were last evaluated: those that have
+// closed since are on the list or not, as skins will have it, and have done no work yet.
 double Engine::elastic_energy(const SphereContact& c) const
 {
+  if (!c.touching) return 0;
   const double ra = clumps_.shape_of(c.i).spheres[c.a].radius,
                rb = clumps_.shape_of(c.j).spheres[c.b].radius;
   const Vector3 d = clumps_.position[c.i] + clumps_.member_offset(c.i, c.a) -
@@ -111,6 +114,7 @@ double Engine::elastic_energy(const SphereContact& c) const
 
 double Engine::elastic_energy(const WallContact& c) const
 {
+  if (!c.touching) return 0;
   const Wall& wall = walls_[c.wall];
   const Vector3 x = clumps_.position[c.i] + clumps_.member_offset(c.i, c.a);
   const double radius = clumps_.shape_of(c.i).spheres[c.a].radius;
