@@ -14,9 +14,9 @@ double choose_time_step(const TimeParameters& time, const dem::StableStep& stabl
   char sentence[256];
   std::snprintf(
       sentence, sizeof sentence,
-      "Entry Time/Step is %.3g s, above the stable step of %.3g s; the lightest stone, of "
-      "%.3g g, sets it (allowed: 0 for automatic, or up to %.3g s).",
-      time.step, stable.step, 1e3 * stable.mass, stable.step);
+      "Entry Time/Step is %.3g s, above the stable step of %.3g s, which shape %d of %.3g g with "
+      "%d contacts sets (allowed: 0 for automatic, or up to %.3g s).",
+      time.step, stable.step, stable.shape + 1, 1e3 * stable.mass, stable.contacts, stable.step);
   throw InputError(sentence);
 }
 
@@ -32,13 +32,11 @@ void declare_time(ParameterTable& table, TimeParameters& time)
 std::string time_step_budget(double step, const dem::StableStep& stable)
 {
   char sentence[320];
-  std::snprintf(
-      sentence, sizeof sentence,
-      "time step %.3g us = %.3g x the stable step of %.3g us: shape %lld of %.3g g with %d "
-      "contacts of %.3g N/m, of whose mobility rotation makes %.0f %%",
-      1e6 * step, step / stable.step, 1e6 * stable.step,
-      static_cast<long long>(stable.clump_id) + 1, 1e3 * stable.mass, stable.contacts,
-      stable.stiffness, 100 * stable.rotation_share);
+  std::snprintf(sentence, sizeof sentence,
+                "time step %.3g us = %.3g x the stable step of %.3g us: shape %d of %.3g g with %d "
+                "contacts of %.3g N/m, of whose mobility rotation makes %.0f %%",
+                1e6 * step, step / stable.step, 1e6 * stable.step, stable.shape + 1,
+                1e3 * stable.mass, stable.contacts, stable.stiffness, 100 * stable.rotation_share);
   return sentence;
 }
 } // namespace interlock::coupling

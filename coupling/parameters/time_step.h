@@ -24,10 +24,11 @@ constexpr int expected_contacts = 8;
 // Opens the section Time and declares both members of `time`, which must outlive the table.
 void declare_time(ParameterTable& table, TimeParameters& time);
 
-// What the step is made of, in one sentence for the log: the stone that sets it, its contacts, the
-// bound and the share of it that is used.
+// What the step is made of, in one sentence for the log: the shape that sets it, counted from 1,
+// its contacts, the bound and the share of it that is used.
 std::string time_step_budget(double step, const dem::StableStep& stable);
 
-// [s]. Throws InputError, one full sentence, when the given step is above the stable one.
+// [s]. Throws InputError, one full sentence that names the shape (from 1) which sets the stable
+// step, when the given step is above it.
 double choose_time_step(const TimeParameters& time, const dem::StableStep& stable);
 } // namespace interlock::coupling

@@ -15,6 +15,15 @@ double seconds(Clock::time_point from, Clock::time_point to)
 {
   return std::chrono::duration<double>(to - from).count();
 }
+
+// Of one clump, with the half-step velocities [J]. A function of its own even in the machine code:
+// in a loop that the compiler runs in vectors, the clumps of the rest behind them might be rounded
+// in another way.
+[[gnu::noinline]] double kinetic_energy_of(const Clumps& clumps, int i)
+{
+  return 0.5 * clumps.mass[i] * clumps.velocity[i].squaredNorm() +
+         0.5 * clumps.angular_momentum[i].dot(clumps.spin[i]);
+}
 } // namespace
 
 Engine::Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on_stone,
@@ -284,9 +293,7 @@ EngineEnergy Engine::energy(double dt) const
 double Engine::kinetic_energy() const
 {
   double kinetic = 0;
-  for (int i = 0; i < clumps_.size(); ++i)
-    kinetic += 0.5 * clumps_.mass[i] * clumps_.velocity[i].squaredNorm() +
-               0.5 * clumps_.angular_momentum[i].dot(clumps_.spin[i]);
+  for (int i = 0; i < clumps_.size(); ++i) kinetic += kinetic_energy_of(clumps_, i);
   return kinetic;
 }
 } // namespace interlock::dem

@@ -33,10 +33,11 @@ struct EngineEnergy {
 };
 
 // The step at which the explicit integration would become unstable for the present contacts, and
-// the clump that limits it.
+// the clump that limits it; before there are contacts, the shape that would limit it.
 struct StableStep {
-  double step = 0; // [s]
-  std::int64_t clump_id = -1;
+  double step = 0;            // [s]
+  std::int64_t clump_id = -1; // -1: before there are contacts
+  int shape = -1;             // of that clump, an index into Clumps::shapes()
   double mass = 0;           // of that clump [kg]
   int contacts = 0;          // of that clump
   double stiffness = 0;      // mean of its contacts [N/m]

@@ -97,8 +97,11 @@ std::vector<WallContact> Engine::wall_contacts() const
   return contacts;
 }
 
+// At the present poses, of contacts that touched when forces were last evaluated: those that have
+// closed since are on the list or not, as skins will have it, and have done no work yet.
 double Engine::elastic_energy(const SphereContact& c) const
 {
+  if (!c.touching) return 0;
   const double ra = clumps_.shape_of(c.i).spheres[c.a].radius,
                rb = clumps_.shape_of(c.j).spheres[c.b].radius;
   const Vector3 d = clumps_.position[c.i] + clumps_.member_offset(c.i, c.a) -
@@ -111,6 +114,7 @@ double Engine::elastic_energy(const SphereContact& c) const
 
 double Engine::elastic_energy(const WallContact& c) const
 {
+  if (!c.touching) return 0;
   const Wall& wall = walls_[c.wall];
   const Vector3 x = clumps_.position[c.i] + clumps_.member_offset(c.i, c.a);
   const double radius = clumps_.shape_of(c.i).spheres[c.a].radius;
@@ -165,6 +169,7 @@ StableStep Engine::stable_step(const RibContacts* ribs) const
       largest = rate[i];
       limit = {2 / std::sqrt(2 * rate[i]),
                clumps_.id[i],
+               clumps_.shape[i],
                clumps_.mass[i],
                contacts[i],
                stiffness[i] / contacts[i],
@@ -194,7 +199,8 @@ StableStep Engine::expected_stable_step(const std::vector<double>& densities, in
     if (rate > largest) {
       largest = rate;
       limit = {2 / std::sqrt(2 * rate),
-               static_cast<std::int64_t>(s),
+               -1,
+               static_cast<int>(s),
                mass,
                n_contacts,
                largest_stiffness(stone_on_stone_, 0, 0),

@@ -1,6 +1,7 @@
 // The inner level of the neighbour lists: lanes about to touch, and the histories they carry over.
 #include "dem/lists/neighbour_lists.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace interlock::dem
@@ -22,6 +23,29 @@ void carry_histories(const ContactLanes& old, WallSegment from, ContactLanes& la
     if (o == from.end) return;
     if (key_of(old, o) == key) lanes.copy_history(k, old, o);
   }
+}
+
+bool comes_before(const ContactKey& x, const ContactKey& y)
+{
+  return std::tie(x.i, x.j, x.a, x.b) < std::tie(y.i, y.j, y.a, y.b);
+}
+
+// Puts those old lanes that touched and are not among the keys from `begin` on back into their
+// place. A contact that opens is evaluated once more, to book what it lost; however wide it opened
+// within the step, this must not depend on the skins.
+void keep_touching(const ContactLanes& old, WallSegment from, std::ptrdiff_t begin,
+                   std::vector<ContactKey>& keys)
+{
+  const std::ptrdiff_t end = keys.size();
+  std::ptrdiff_t k = begin;
+  for (int o = from.begin; o < from.end; ++o) {
+    if (old.overlap[o] <= 0) continue;
+    const ContactKey key{static_cast<int>(old.i[o]), static_cast<int>(old.j[o]), old.a[o],
+                         old.b[o]};
+    while (k < end && comes_before(keys[k], key)) ++k;
+    if (k == end || comes_before(key, keys[k])) keys.push_back(key);
+  }
+  std::inplace_merge(keys.begin() + begin, keys.begin() + end, keys.end(), comes_before);
 }
 } // namespace
 
@@ -49,6 +73,7 @@ void NeighbourLists::build_pair_lanes(const Clumps& clumps)
       keys_.push_back({i, j, near.a, near.b});
     }
   }
+  keep_touching(pairs_, {0, pairs_.size()}, 0, keys_);
   std::swap(old_pairs_, pairs_);
   const int n = static_cast<int>(keys_.size());
   pairs_.resize(0);
@@ -80,6 +105,8 @@ void NeighbourLists::build_wall_lanes(const Clumps& clumps, const std::vector<Wa
         keys_.push_back({i, static_cast<int>(w), near.a, 0});
       }
     }
+    if (w < old_wall_segments_.size())
+      keep_touching(wall_lanes_, old_wall_segments_[w], segment.begin, keys_);
     segment.end = static_cast<int>(keys_.size());
     wall_segments_.push_back(segment);
   }

@@ -1,7 +1,7 @@
 // Nested neighbour lists: clump pairs, sphere pairs, sphere pairs about to touch. Each level is a
 // filter of the one above and proves its own validity (docs/theory/engine.md). The step touches the
-// inner level only. Lists never change a result: an entry that does not touch contributes exact
-// zero.
+// inner level only. Lists never change a digit, of forces or of energies: an entry that does not
+// touch contributes exact zero, and one that touched stays until it has been evaluated open.
 #pragma once
 
 #include "dem/lanes/contact_lanes.h"
