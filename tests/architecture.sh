@@ -39,9 +39,11 @@ lattice
 layouts gmsh explicit statics
 implicit laboratory'
 floors_of_coupling='
-parameters
+files
+parameters state
 loop
 output
+run
 stones
 pull_out heap packing laboratory'
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include <unistd.h>
@@ -28,6 +29,12 @@ protected:
   {
     std::ofstream(folder / name) << text;
     return folder / name;
+  }
+
+  static std::string file_text(const std::filesystem::path& file)
+  {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
   }
 
   std::filesystem::path folder;

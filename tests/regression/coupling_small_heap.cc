@@ -4,6 +4,7 @@
 // is lost.
 #include "coupling/heap/heap.h"
 #include "coupling/stones/stone_shapes.h"
+#include "tests/run_case.h"
 #include "tests/temporary_folder.h"
 
 #include <fstream>
@@ -49,7 +50,7 @@ class SmallHeap : public TemporaryFolderTest
 
 TEST_F(SmallHeap, ObeysTheLaws)
 {
-  const Summary s = Heap(small_heap("uniform"), {}).run(folder);
+  const Summary s = run_case<Heap>(small_heap("uniform"), folder);
   EXPECT_EQ(s.experiment, "heap");
   EXPECT_EQ(s.clumps, 20);
   EXPECT_TRUE(s.warnings.empty()) << s.warnings.front();
@@ -72,9 +73,9 @@ TEST_F(SmallHeap, ObeysTheLaws)
   while (std::getline(table, line)) ++lines;
   EXPECT_EQ(lines, 21);
 
-  const Summary again = Heap(small_heap("uniform"), {}).run(folder);
+  const Summary again = run_case<Heap>(small_heap("uniform"), folder);
   EXPECT_EQ(again.state_hash, s.state_hash);
-  const Summary corrected = Heap(small_heap("mesh"), {}).run(folder);
+  const Summary corrected = run_case<Heap>(small_heap("mesh"), folder);
   // The mass properties of the meshes are other ones, of the same volumes, and the stones come to
   // rest elsewhere, by far more than rounding.
   const auto uniform = make_stone_shapes(small_heap("uniform").stones, {}),

@@ -4,6 +4,7 @@
 #include "coupling/packing/packing.h"
 #include "dem/input_error.h"
 #include "tests/packed_plates.h"
+#include "tests/run_case.h"
 #include "tests/temporary_folder.h"
 
 #include <sstream>
@@ -33,8 +34,7 @@ protected:
 
   Summary run(const PackingParameters& p) const
   {
-    Packing packing(p, {});
-    return packing.run(folder);
+    return run_case<Packing>(p, folder);
   }
 
   static double result(const Summary& summary, const char* name)

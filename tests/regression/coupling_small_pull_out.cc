@@ -3,6 +3,7 @@
 // work of the force), not numbers that the program printed before. Fails when a stage breaks, a
 // digit depends on the run, or energy is lost.
 #include "coupling/pull_out/pull_out.h"
+#include "tests/run_case.h"
 
 #include <gtest/gtest.h>
 
@@ -88,8 +89,7 @@ Summary run(const PullOutParameters& parameters, const std::string& name)
   const fs::path folder = fs::temp_directory_path() / ("interlock_small_pull_out_" + name);
   fs::remove_all(folder);
   fs::create_directories(folder);
-  PullOut pull_out(parameters, {});
-  const Summary summary = pull_out.run(folder);
+  const Summary summary = run_case<PullOut>(parameters, folder);
   EXPECT_TRUE(fs::exists(folder / "summary.json"));
   EXPECT_TRUE(fs::exists(folder / "clumps.h5"));
   // The forces that are written down have done the work that the ledger, which closes, knows of.

@@ -5,6 +5,7 @@
 // ledger that does not close, to fail. The springs of friction are not stored in the state, so the
 // count is that of a packing that finds its rest anew.
 #include "coupling/packing/packing.h"
+#include "tests/run_case.h"
 #include "tests/temporary_folder.h"
 
 using namespace interlock::coupling;
@@ -21,7 +22,7 @@ TEST_F(PackedBox, CarriesItsWeightWithAsManyContactsAsInLammps)
   p.warm_up_steps = 1500;
   p.timed_steps = 1000;
   p.records = 5;
-  const Summary s = Packing(p, {}).run(folder);
+  const Summary s = run_case<Packing>(p, folder);
   const auto result = [&](const char* name) { return s.results[name].get<double>(); };
   EXPECT_EQ(s.clumps, 410);
   EXPECT_EQ(s.spheres, 22550);

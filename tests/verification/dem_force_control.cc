@@ -148,12 +148,14 @@ TEST(ForceControl, EngineKeepsTheForceOfAWall)
   for (int n = 0; n < 8000; ++n) press.stage.forces(dt), press.stage.move(dt);
   EXPECT_NEAR(engine.walls()[1].force.z(), 300, 3);
 
-  engine.replace_walls(1, {engine.walls()[1]});
-  engine.walls()[1].velocity = Vector3::Zero();
+  const Wall plate = engine.walls()[1];
+  engine.remove_walls({plate.id});
+  const WallId id = engine.add_wall(plate);
+  engine.wall(id).velocity = Vector3::Zero();
   const double height = press.height();
   for (int n = 0; n < 100; ++n) press.stage.forces(dt), press.stage.move(dt);
   EXPECT_EQ(press.height(), height);
-  expect_refusal([&] { engine.control_wall(1, ForceControl{}); }, "Force control", {"speed"});
+  expect_refusal([&] { engine.control_wall(id, ForceControl{}); }, "Force control", {"speed"});
 }
 
 // One ball between plate and floor, no damping but the control's: settles inside the bound, and

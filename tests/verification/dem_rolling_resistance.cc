@@ -265,7 +265,7 @@ TEST(RollingResistance, RemovedClumpsAndWallsAreForgotten)
   list[0].i = 0, list[0].key[1] = 0;
   resistance.evaluate(list, clumps, meshes, 1e-3, energy);
   EXPECT_EQ(clumps.torque[0], moment);
-  resistance.forget_walls(1, 3);
+  resistance.renumber_walls(1, {0, 1, 2, -1});
   clumps.torque[0].setZero();
   resistance.evaluate(list, clumps, meshes, 1e-3, energy);
   EXPECT_EQ(clumps.torque[0], Vector3::Zero());
