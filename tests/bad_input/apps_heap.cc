@@ -50,7 +50,7 @@ TEST_F(BadHeap, ValuesOutsideTheirRange)
          {"\"Drop/Disc radius\" is \"10 mm\"", "without their unit", "in m (here 0.01)."});
   expect("Gravity=0", {"\"Gravity\" is \"0\"", "a number greater than 0, in m/s2."});
   expect("Contact/Stone friction=-0.1",
-         {"\"Contact/Stone friction\" is \"-0.1\"", "must be a number of 0 or more."});
+         {"\"Contact/Stone friction\" is \"-0.1\"", "must be a number from 0 to 5."});
   expect("Contact/Damping ratio=1.5",
          {"\"Contact/Damping ratio\" is \"1.5\"", "must be a number from 0 to 1."});
   expect("Contact/Local damping=-0.1",
@@ -69,7 +69,7 @@ TEST_F(BadHeap, ContradictionsAndUnknownNames)
                                 "smaller than half the side of the floor, 3 m."});
   expect("Stones/D min=-1", {"\"Stones/D min\" is \"-1\"", "a number of 0 or more, in m."});
   expect("Drop/Hight=2", {"\"Drop/Hight\"", "the nearest known one is \"Drop/Height\""});
-  expect("Pull/Speed=1", {"\"Pull/Speed\""});
+  expect("Pull/Speed=1", {"there is no entry \"Pull/Speed\""});
 }
 
 TEST_F(BadHeap, CaseIsTheTestOfThePaper)

@@ -99,23 +99,32 @@ Summary run(const PullOutParameters& parameters, const std::string& name)
   return summary;
 }
 
-// The pull force is at least the friction of the ribs' own two faces under what lies on them, and
-// at most that of the whole plane of the geogrid sheared on both sides at 60 degrees, steeper than
-// any angle of friction that was measured on ballast. Between the two lies less than a factor of
-// ten on either side of what comes out.
+// Over the whole way the pull force is on average at least the friction of the ribs' own two faces
+// under what lies above, and at most that of the whole plane of the geogrid sheared on both sides
+// at 60 degrees, steeper than any angle of friction measured on ballast, and what it takes to bring
+// all stones to the speed of the pull. No force between two records is above that of the same plane
+// and of all stones sped up within the ramp (half a cosine: pi/2 of the mean).
 void check_pull_force(const Summary& s, const PullOutParameters& p)
 {
   const GeogridParameters& g = p.geogrid;
   const double weight =
       p.gravity * s.results["mass_above_geogrid_kg"].get<double>() + p.surcharge.force;
+  const double mass = s.results["mass_in_box_kg"].get<double>();
   const double length = g.apertures_along * g.pitch_along,
                width = g.apertures_across * g.pitch_across;
   const double rib_area =
       g.rib_width * ((g.apertures_across + 1) * length + g.apertures_along * width);
   const double skin =
       2 * p.contact.stone_friction * weight * rib_area / (p.box.length * p.box.width);
-  EXPECT_GT(s.results["pull_force_at_end_N"].get<double>(), skin);
-  EXPECT_LT(s.results["peak_pull_force_N"].get<double>(), 2 * std::tan(M_PI / 3) * weight);
+  const double plane = 2 * std::tan(M_PI / 3) * weight;
+  const double mean = s.energy["pull_clamp_work_J"].get<double>() / p.pull.distance;
+  EXPECT_GT(mean, skin);
+  EXPECT_LT(mean, plane + 0.5 * mass * p.pull.speed * p.pull.speed / p.pull.distance);
+  EXPECT_LT(s.results["peak_pull_force_between_records_N"].get<double>(),
+            plane + M_PI / 2 * mass * p.pull.speed / p.pull.ramp_time);
+  EXPECT_GT(s.results["pull_force_at_end_N"].get<double>(), 0);
+  EXPECT_LE(s.results["pull_force_at_end_N"].get<double>(),
+            s.results["peak_pull_force_N"].get<double>());
 }
 
 void check_laws(const Summary& s, const PullOutParameters& p)
