@@ -24,8 +24,10 @@ void StaggeredStep::attach(RibTransfer& geogrid)
 
 void StaggeredStep::remove_clumps(const std::vector<bool>& remove)
 {
-  // Their springs at ribs go with them.
-  geogrid_inserted_ -= rib_contacts_.elastic_energy_of(remove);
+  // Their springs at ribs go with them, from this moment on.
+  const double gone = rib_contacts_.elastic_energy_of(remove);
+  rib_energy_.elastic -= gone;
+  rib_energy_removed_ += gone;
   rib_contacts_.renumber_clumps(engine_.remove_clumps(remove));
 }
 
@@ -150,7 +152,7 @@ EnergyLedger StaggeredStep::ledger(double dt) const
   ledger.contact_damping += rib_energy_.damping;
   ledger.interface_work_on_stones = rib_work_on_stones_;
   ledger.interface_stored_and_lost =
-      rib_energy_.elastic + rib_energy_.friction + rib_energy_.damping;
+      rib_energy_.elastic + rib_energy_.friction + rib_energy_.damping + rib_energy_removed_;
   const fem::LatticeEnergies lattice = geogrid_->dynamics().energies();
   ledger.kinetic_geogrid = lattice.kinetic;
   ledger.gravitational += lattice.gravitational;
@@ -158,7 +160,7 @@ EnergyLedger StaggeredStep::ledger(double dt) const
   ledger.geogrid_damping = lattice.damping_loss;
   ledger.clamp_work = lattice.clamp_work;
   ledger.interface_work_on_geogrid = lattice.load_work;
-  ledger.inserted += geogrid_inserted_;
+  ledger.inserted += geogrid_inserted_ - rib_energy_removed_;
   return ledger;
 }
 } // namespace interlock::coupling

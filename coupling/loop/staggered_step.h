@@ -42,8 +42,6 @@ public:
   const dem::RibContacts& rib_contacts() const { return rib_contacts_; }
   // Pair properties of stones with ribs; changing them between steps is allowed.
   dem::ContactProperties& stone_on_rib() { return rib_contacts_.properties(); }
-  // Books energy that came into the geogrid or its contacts otherwise than by work [J].
-  void insert_energy(double energy) { geogrid_inserted_ += energy; }
   const RibTransfer* geogrid() const { return geogrid_; }
 
   // Of a loop with its geogrid attached.
@@ -51,6 +49,7 @@ public:
   {
     archive("energy", loop.rib_energy_);
     archive("inserted", loop.geogrid_inserted_, "J");
+    archive("removed", loop.rib_energy_removed_, "J");
     archive("work_on_stones", loop.rib_work_on_stones_, "J");
     archive("substeps", loop.substeps_);
     archive("clamp_force", loop.clamp_force_, "N");
@@ -89,6 +88,7 @@ private:
   dem::RibContacts rib_contacts_;
   dem::ContactEnergy rib_energy_;
   double geogrid_inserted_ = 0;                // energy of the lattice when it was placed [J]
+  double rib_energy_removed_ = 0;              // of contacts with ribs, gone with their stones [J]
   double rib_work_on_stones_ = 0;              // [J]
   dem::VectorField rib_force_, rib_torque_;    // on clumps, of the present sub-step
   std::vector<MeanLoad> mean_loads_;           // of the last step, ascending ids
