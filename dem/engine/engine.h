@@ -38,10 +38,10 @@ struct StableStep {
   double step = 0;            // [s]
   std::int64_t clump_id = -1; // -1: before there are contacts
   int shape = -1;             // of that clump, an index into Clumps::shapes()
-  double mass = 0;           // of that clump [kg]
-  int contacts = 0;          // of that clump
-  double stiffness = 0;      // mean of its contacts [N/m]
-  double rotation_share = 0; // of its mobility at the contacts, the rest is translation [-]
+  double mass = 0;            // of that clump [kg]
+  int contacts = 0;           // of that clump
+  double stiffness = 0;       // mean of its contacts [N/m]
+  double rotation_share = 0;  // of its mobility at the contacts, the rest is translation [-]
 };
 
 // Time spent in the parts of the steps since the last reset [s].

@@ -6,8 +6,8 @@
 // potential k M^2/2 gives contact c the force k M g_c, g_c = dM/dd_c; the g_c of a pair sum to 1
 // when overlaps are equal, and sum(g_c d_c) = M always.
 //
-// The contacts of a pair lie in any lanes, between any number of idle ones, and neither may change a
-// digit. Idle contacts add exact zeros, the sums run in list order, and every product is rounded
+// The contacts of a pair lie in any lanes, between any number of idle ones, and neither may change
+// a digit. Idle contacts add exact zeros, the sums run in list order, and every product is rounded
 // before it is added: this file is compiled without fused operations (dem/CMakeLists.txt), because
 // the compiler uses them for some lanes and not for others.
 #include "dem/lanes/contact_lanes.h"
