@@ -54,7 +54,8 @@ void MeshContacts::renew_triangles(const Clumps& clumps, const MeshWall& wall, i
                                    const Vector3& x)
 {
   reference_[static_cast<std::size_t>(w) * clumps.size() + i] = x;
-  wall.surface->triangles_within(x, (1 + triangle_skin) * clumps.bounding_radius(i), found_);
+  const double reach = 1 + triangle_skin + 2 * member_skin;
+  wall.surface->triangles_within(x, reach * clumps.bounding_radius(i), found_);
   if (found_.empty()) {
     near_.erase({i, w});
     return;
@@ -75,7 +76,9 @@ void MeshContacts::renew_members(const Clumps& clumps, const MeshWall& wall, int
   const std::vector<Sphere>& spheres = clumps.shape_of(i).spheres;
   for (int a = 0; a < static_cast<int>(spheres.size()); ++a) {
     const Vector3 centre = in_wall_frame(wall, clumps.position[i] + clumps.member_offset(i, a));
-    const double reach = spheres[a].radius + near.skin;
+    // Twice the skin: contacts are looked for up to a skin beyond the surface (evaluate), so that one
+    // which opens is booked alike whenever the list was made.
+    const double reach = spheres[a].radius + 2 * near.skin;
     const int first = static_cast<int>(near.candidates.size());
     for (const int t : near.triangles)
       if (std::abs(wall.surface->height(t, centre)) < reach &&
