@@ -1,6 +1,7 @@
 #include "coupling/pull_out/start_from.h"
 
 #include "coupling/pull_out/pull_out.h"
+#include "coupling/run/checkpoints.h"
 #include "coupling/state/checkpoint_file.h"
 #include "coupling/state/state_archive.h"
 #include "dem/input_error.h"
