@@ -108,7 +108,10 @@ Handle created(hid_t file, const std::string& path, hid_t type, std::size_t n, i
   const Handle space(H5Screate_simple(columns > 1 ? 2 : 1, sizes, nullptr), H5Sclose);
   const Handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   require(H5Pset_create_intermediate_group(groups, 1));
-  return Handle(H5Dcreate2(file, path.c_str(), type, space, groups, H5P_DEFAULT, H5P_DEFAULT),
+  // Equal numbers are equal files: no wall-clock time in them.
+  const Handle timeless(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  require(H5Pset_obj_track_times(timeless, false));
+  return Handle(H5Dcreate2(file, path.c_str(), type, space, groups, timeless, H5P_DEFAULT),
                 H5Dclose);
 }
 
