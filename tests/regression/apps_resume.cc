@@ -237,8 +237,8 @@ TEST_F(Resume, AfterTerminationByTheLineThatItLeaves)
   summary_of_run(pull_out("undisturbed"));
   for (const bool in_pull : {false, true}) {
     fs::remove_all(folder / "run");
-    const Ending ending = stop(SIGTERM, words,
-                               in_pull ? when_rows("run", 8) : when_logged("run", "stones: "));
+    const Ending ending =
+        stop(SIGTERM, words, in_pull ? when_rows("run", 8) : when_logged("run", "stones: "));
     ASSERT_EQ(ending.code, 130) << ending.out << ending.err;
     EXPECT_FALSE(fs::exists(folder / "run" / "summary.json"));
     EXPECT_NE(ending.err.find("run/checkpoint.h5"), std::string::npos) << ending.err;
@@ -270,7 +270,8 @@ TEST_F(Resume, AfterAKillInEveryStage)
 {
   summary_of_run(pull_out("undisturbed"));
   Words words = pull_out("run");
-  for (const char* text : {"stones: ", "fill lower half: ", "place geogrid: ", "fill upper half: "}) {
+  for (const char* text :
+       {"stones: ", "fill lower half: ", "place geogrid: ", "fill upper half: "}) {
     const Ending ending = stop(SIGKILL, words, when_logged("run", text));
     ASSERT_EQ(ending.code, -SIGKILL) << text << ending.err;
     words = resumed(pull_out("run"));
@@ -279,7 +280,8 @@ TEST_F(Resume, AfterAKillInEveryStage)
   expect_same_run("undisturbed", "run");
 }
 
-// A row that a kill has torn, rows and frames beyond the checkpoint, and a left-over part of a file.
+// A row that a kill has torn, rows and frames beyond the checkpoint, and a left-over part of a
+// file.
 TEST_F(Resume, CutsOffWhatIsBeyondTheCheckpoint)
 {
   const Words no_timer = pull_out("run", {"Output/Checkpoint interval=0"});
@@ -361,8 +363,9 @@ TEST_F(Resume, GoesOnFromTheCheckpointBefore)
 TEST_F(Resume, OfAHeap)
 {
   const auto heap = [](const std::string& output) {
-    return Words{tiny_heap, "--set", "Output/Report=false", "--set",
-                 "Output/Checkpoint interval=0.1", "--output", output};
+    return Words{
+        tiny_heap,  "--set", "Output/Report=false", "--set", "Output/Checkpoint interval=0.1",
+        "--output", output};
   };
   const json undisturbed = summary_of_run(heap("undisturbed"));
   // Some ten rows before the end of the drop, which leaves a few times as many.
@@ -374,8 +377,8 @@ TEST_F(Resume, OfAHeap)
 TEST_F(Resume, StartFromTheStateBeforeThePullRepeatsThePull)
 {
   const json first = summary_of_run(pull_out("first"));
-  const json again =
-      summary_of_run(pull_out("again", {"Start from=" + (folder / "first/state_before_pull.h5").string()}));
+  const json again = summary_of_run(
+      pull_out("again", {"Start from=" + (folder / "first/state_before_pull.h5").string()}));
   EXPECT_EQ(stages_of(again), (Words{"start", "pull"}));
   EXPECT_EQ(again["state_hash"], first["state_hash"]);
   EXPECT_EQ(column(folder / "again/history.csv", "pull_force"),
@@ -485,8 +488,9 @@ TEST_F(Resume, StartFromWhatDoesNotFitIsRefused)
 TEST_F(Resume, StartFromAHeapIsRefused)
 {
   summary_of_run({tiny_heap, "--set", "Output/Report=false", "--output", "heap"});
-  expect_sentence(run(pull_out("refused", {"Start from=" + (folder / "heap/checkpoint.h5").string()})),
-                  2, {"checkpoint.h5", "heap", "pull-out"});
+  expect_sentence(
+      run(pull_out("refused", {"Start from=" + (folder / "heap/checkpoint.h5").string()})), 2,
+      {"checkpoint.h5", "heap", "pull-out"});
   EXPECT_FALSE(fs::exists(folder / "refused"));
 }
 
