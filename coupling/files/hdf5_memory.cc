@@ -108,7 +108,10 @@ Handle created(hid_t file, const std::string& path, hid_t type, std::size_t n, i
   const Handle space(H5Screate_simple(columns > 1 ? 2 : 1, sizes, nullptr), H5Sclose);
   const Handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   require(H5Pset_create_intermediate_group(groups, 1));
-  return Handle(H5Dcreate2(file, path.c_str(), type, space, groups, H5P_DEFAULT, H5P_DEFAULT),
+  // Equal numbers are equal files: no wall-clock time in them.
+  const Handle timeless(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  require(H5Pset_obj_track_times(timeless, false));
+  return Handle(H5Dcreate2(file, path.c_str(), type, space, groups, timeless, H5P_DEFAULT),
                 H5Dclose);
 }
 
@@ -128,8 +131,7 @@ std::size_t values_in(hid_t set)
   return static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
 }
 
-template <class T>
-void read_numbers(hid_t file, const std::string& path, std::vector<T>& values)
+template <class T> void read_numbers(hid_t file, const std::string& path, std::vector<T>& values)
 {
   const Handle set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
   values.resize(values_in(set));
@@ -210,8 +212,7 @@ void Hdf5Memory::write(const std::string& path, const std::vector<std::string>& 
   const Handle set = created(file_, path, type, values.size(), columns);
   std::vector<const char*> texts;
   for (const std::string& value : values) texts.push_back(value.c_str());
-  if (!texts.empty())
-    require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()));
+  if (!texts.empty()) require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()));
   set_unit(set, unit);
 }
 
@@ -225,9 +226,9 @@ void Hdf5Memory::set_attribute(const std::string& path, const std::string& name,
 {
   const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate2(object, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT,
-                                    H5P_DEFAULT),
-                         H5Aclose);
+  const Handle attribute(
+      H5Acreate2(object, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
   require(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value));
 }
 
@@ -276,8 +277,7 @@ void Hdf5Memory::read(const std::string& path, std::vector<std::string>& values)
   const Handle type = text_type();
   make_variable_text(type);
   std::vector<char*> texts(values_in(set), nullptr);
-  if (!texts.empty())
-    require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()));
+  if (!texts.empty()) require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()));
   values.clear();
   for (char* text : texts) {
     values.emplace_back(text ? text : "");
