@@ -1,5 +1,5 @@
 // A disk that is full, for as long as this object lives: no file of this process may grow beyond
-// `bytes`. The signal that the system sends besides is ignored, as in the program itself.
+// `bytes`. The signal that the system sends besides, which would end the process, is ignored.
 #pragma once
 
 #include <csignal>

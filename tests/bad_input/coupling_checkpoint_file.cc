@@ -181,7 +181,8 @@ TEST_F(CheckpointFile, OffersTheOneBefore)
   }
 }
 
-// --- Writes that fail -----------------------------------------------------------------------------
+// --- Writes that fail
+// -----------------------------------------------------------------------------
 
 TEST_F(CheckpointFile, FullDiskLeavesTheOldOne)
 {

@@ -32,8 +32,11 @@ StateTree any_state()
   tree["state/engine/no_rows"] = {std::vector<double>(), 3, "N m"};
   tree["state/engine/id"] = {std::vector<std::int64_t>{Whole::min(), 0, Whole::max()}, 1};
   tree["state/engine/no_ids"] = {std::vector<std::int64_t>(), 1};
-  tree["state/words"] = {
-      std::vector<std::string>{"", "pull", "Korngr\xc3\xb6\xc3\x9f" "e\n", std::string(70000, 'x')}, 1};
+  tree["state/words"] = {std::vector<std::string>{"", "pull",
+                                                  "Korngr\xc3\xb6\xc3\x9f"
+                                                  "e\n",
+                                                  std::string(70000, 'x')},
+                         1};
   tree["state/no_words"] = {std::vector<std::string>(), 1};
   tree["case/Pull/Displacement"] = {std::vector<std::string>{"0.05"}, 1};
   return tree;
@@ -91,10 +94,10 @@ TEST_F(CheckpointFile, KeepsTheOneBeforeAndNoMore)
 // The head is text for people: who wrote it, and what the file is.
 TEST_F(CheckpointFile, BeginsWithABlockOfText)
 {
-  write_state(folder / "state.h5", any_state(), "1.2.3 (abcdef0)");
+  write_state(folder / "state.h5", any_state(), "1.2.3-dev");
   const std::string text = file_text(folder / "state.h5");
   EXPECT_EQ(text.find("Interlock state\nformat " + std::to_string(state_format) +
-                      "\nprogram 1.2.3 (abcdef0)\nbytes " + std::to_string(text.size() - 512) +
+                      "\nprogram 1.2.3-dev\nbytes " + std::to_string(text.size() - 512) +
                       "\nxxh3-128 "),
             0u);
   EXPECT_EQ(text[511], '\n');

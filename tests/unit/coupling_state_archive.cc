@@ -25,9 +25,18 @@ double from_bits(std::uint64_t bits)
 }
 
 // Doubles that a detour over text, float or arithmetic would change.
-const std::vector<double> delicate = {0., -0., 0.1, 1. / 3, Real::min(), Real::max(), Real::lowest(),
-                                      Real::denorm_min(), -Real::denorm_min(), from_bits(12345),
-                                      Real::infinity(), -Real::infinity(),
+const std::vector<double> delicate = {0.,
+                                      -0.,
+                                      0.1,
+                                      1. / 3,
+                                      Real::min(),
+                                      Real::max(),
+                                      Real::lowest(),
+                                      Real::denorm_min(),
+                                      -Real::denorm_min(),
+                                      from_bits(12345),
+                                      Real::infinity(),
+                                      -Real::infinity(),
                                       from_bits(0x7ff8000000abcdefu),  // a NaN with a payload
                                       from_bits(0xfff8000000000001u)}; // a negative one
 
@@ -97,9 +106,7 @@ template <class Archive> void exchange(Archive& archive, Pull& stage)
 struct Stay {
   static constexpr const char* kind = "stay";
 };
-template <class Archive> void exchange(Archive&, Stay&)
-{
-}
+template <class Archive> void exchange(Archive&, Stay&) {}
 
 // Whatever is even is good.
 struct Even {
@@ -139,8 +146,9 @@ StateTree small_tree()
   return tree;
 }
 
-template <class T> void expect_refused(const StateTree& tree, T into, const std::string& path,
-                                       const std::vector<std::string>& facts)
+template <class T>
+void expect_refused(const StateTree& tree, T into, const std::string& path,
+                    const std::vector<std::string>& facts)
 {
   expect_refusal(
       [&] {
@@ -158,7 +166,8 @@ template <class T> StateTree written(const T& field)
 }
 } // namespace
 
-// --- Round trips ----------------------------------------------------------------------------------
+// --- Round trips
+// ----------------------------------------------------------------------------------
 
 TEST(StateArchive, KeepsEveryBitOfDoubles)
 {
@@ -180,7 +189,9 @@ TEST(StateArchive, KeepsWholeNumbersWordsAndFlags)
   for (const Colour c : {Colour::red, Colour::green, Colour::blue}) EXPECT_EQ(round_trip(c), c);
   const std::string long_word(10000, 'x');
   for (const std::string& word : {std::string(), std::string("Box/Slot height, \"30\" mm\n"),
-                                  std::string("Korngr\xc3\xb6\xc3\x9f" "e"), long_word})
+                                  std::string("Korngr\xc3\xb6\xc3\x9f"
+                                              "e"),
+                                  long_word})
     EXPECT_EQ(round_trip(word), word);
   const std::vector<std::int64_t> ids = {3, Whole::max(), Whole::min()};
   EXPECT_EQ(round_trip(ids), ids);
@@ -239,8 +250,8 @@ TEST(StateArchive, KeepsComponentArraysAndTheirFiller)
   for (const double x : delicate) masses.push_back(Eigen::Matrix<double, 1, 1>(x));
   const dem::ScalarField read_masses = round_trip(masses);
   ASSERT_EQ(read_masses.size(), masses.size());
-  EXPECT_EQ(0, std::memcmp(read_masses.row(0), masses.row(0),
-                           sizeof(double) * masses.padded_size()));
+  EXPECT_EQ(0,
+            std::memcmp(read_masses.row(0), masses.row(0), sizeof(double) * masses.padded_size()));
 
   dem::QuaternionField turns;
   for (int i = 0; i < 9; ++i) turns.push_back(Eigen::Quaterniond(0.5, -0., delicate[i], 2));
@@ -301,7 +312,8 @@ TEST(StateArchive, KeepsWhatMayBeAbsentOrOfSeveralKinds)
 {
   EXPECT_EQ(round_trip(std::optional<double>(), {2.}), std::nullopt);
   EXPECT_TRUE(same_bits(*round_trip(std::optional<double>(delicate[12])), delicate[12]));
-  EXPECT_EQ(round_trip(std::optional<Shape>(Shape{{1, 2}, {}}))->radii, (std::vector<double>{1, 2}));
+  EXPECT_EQ(round_trip(std::optional<Shape>(Shape{{1, 2}, {}}))->radii,
+            (std::vector<double>{1, 2}));
 
   using Stage = std::variant<Fill, Pull, Stay>;
   EXPECT_EQ(std::get<Pull>(round_trip(Stage(Pull{0.25}))).displacement, 0.25);
@@ -321,7 +333,8 @@ TEST(StateArchive, UnitsStandBesideTheNumbers)
   EXPECT_EQ(tree.at("state/field/turns").unit, "");
 }
 
-// --- Differences and hashes -----------------------------------------------------------------------
+// --- Differences and hashes
+// -----------------------------------------------------------------------
 
 TEST(StateTree, FirstDifferenceIsOneSentenceAboutIt)
 {
@@ -334,7 +347,8 @@ TEST(StateTree, FirstDifferenceIsOneSentenceAboutIt)
             "a/numbers, row 1, column 1: 4 on one side and 4.5 on the other.");
   b = a;
   std::get<std::vector<double>>(b["a/numbers"].values)[0] = -0.;
-  EXPECT_EQ(first_difference(a, b), "a/numbers, row 0, column 0: 0 on one side and -0 on the other.");
+  EXPECT_EQ(first_difference(a, b),
+            "a/numbers, row 0, column 0: 0 on one side and -0 on the other.");
   b = a;
   std::get<std::vector<std::string>>(b["a/words"].values)[1] = " ";
   EXPECT_EQ(first_difference(a, b), "a/words, row 1, column 0:  on one side and   on the other.");
@@ -424,7 +438,8 @@ TEST(StateTree, HashOfAPrefixSeesThatPartOnly)
   EXPECT_NE(hash_of(tree, "b/"), part);
 }
 
-// --- What does not fit ----------------------------------------------------------------------------
+// --- What does not fit
+// ----------------------------------------------------------------------------
 
 TEST(StateArchive, RefusesWhatIsMissing)
 {

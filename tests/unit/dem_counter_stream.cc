@@ -1,6 +1,7 @@
-// Random numbers that follow from seed, id and purpose. Fails when the generator is not Philox4x64-10
-// with the counter (block, id, purpose, 0) and the key (seed, 0), when a number depends on anything
-// else, or when streams of neighbouring seeds, ids or purposes know of each other.
+// Random numbers that follow from seed, id and purpose. Fails when the generator is not
+// Philox4x64-10 with the counter (block, id, purpose, 0) and the key (seed, 0), when a number
+// depends on anything else, or when streams of neighbouring seeds, ids or purposes know of each
+// other.
 #include "dem/counter_stream.h"
 
 #include <gtest/gtest.h>
@@ -70,11 +71,11 @@ TEST(CounterStream, KnownAnswerOfPhilox)
 // And for the numbers of pi as counter and key, which shows that the library itself is sound.
 TEST(CounterStream, KnownAnswerOfTheLibrary)
 {
-  const r123::Philox4x64::ctr_type pi = {{0x243f6a8885a308d3u, 0x13198a2e03707344u,
-                                          0xa4093822299f31d0u, 0x082efa98ec4e6c89u}};
+  const r123::Philox4x64::ctr_type pi = {
+      {0x243f6a8885a308d3u, 0x13198a2e03707344u, 0xa4093822299f31d0u, 0x082efa98ec4e6c89u}};
   const r123::Philox4x64::key_type key = {{0x452821e638d01377u, 0xbe5466cf34e90c6cu}};
-  const r123::Philox4x64::ctr_type answer = {{0xa528f45403e61d95u, 0x38c72dbd566e9788u,
-                                              0xa5a1610e72fd18b5u, 0x57bd43b5e52b7fe6u}};
+  const r123::Philox4x64::ctr_type answer = {
+      {0xa528f45403e61d95u, 0x38c72dbd566e9788u, 0xa5a1610e72fd18b5u, 0x57bd43b5e52b7fe6u}};
   EXPECT_EQ(r123::Philox4x64()(pi, key), answer);
 }
 
