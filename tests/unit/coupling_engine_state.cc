@@ -71,7 +71,6 @@ struct Scene {
   // What a new process has before it reads: nothing but the walls of triangles.
   std::function<Engine()> make_empty;
   bool has_meshes = false;
-  std::string name_of() const { return name; }
 };
 void PrintTo(const Scene& scene, std::ostream* out)
 {
@@ -285,7 +284,7 @@ TEST_P(EngineState, RemovedWallsLeaveTheHistoriesOfTheOthers)
 }
 
 // An engine that has walls of triangles which the state does not know, or lacks some.
-TEST_F(TemporaryFolderTest, OtherWallsOfTrianglesAreRefused)
+TEST(EngineMemory, OtherWallsOfTrianglesAreRefused)
 {
   const Engine engine = balls_on_a_tray();
   StateTree tree;
