@@ -51,7 +51,9 @@ void StaggeredStep::move(double dt, const dem::Vector3& clamp_velocity)
   hold_near_clumps();
   engine_.drift_all(dt, &held_);
 
-  substeps_ = std::max(substeps_, geogrid_->required_substeps(dt, rib_contacts_));
+  const int required = geogrid_->required_substeps(dt, rib_contacts_);
+  // A rigid geogrid needs one, also where a flexible one has been made rigid.
+  substeps_ = geogrid_->rigid() ? required : std::max(substeps_, required);
   rib_force_.resize(engine_.clumps().size());
   rib_torque_.resize(engine_.clumps().size());
   clamp_force_.setZero();

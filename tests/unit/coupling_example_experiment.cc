@@ -126,7 +126,7 @@ protected:
     request.monitor.stop_requested = [&] { return ++steps == stop_at; };
     Bounce bounce{BounceParameters()};
     if (!resume) bounce.prepare(request.monitor, {});
-    return Run<Bounce>(bounce, request).run();
+    return coupling::Run<Bounce>(bounce, request).run();
   }
 };
 } // namespace

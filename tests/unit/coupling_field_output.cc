@@ -214,13 +214,15 @@ TEST_F(FieldOutput, GoesOnWithTheSameFiles)
         series.start();
         for (int frame = 0; frame < kept; ++frame) write_frame(series);
         StateTree tree;
-        StateWriter(tree)("series", series);
+        StateWriter archive(tree);
+        archive("series", series);
         for (int frame = 0; frame < beyond; ++frame)
           series.write(9, {}, {}, {}); // not what comes then
         return tree;
       }();
       XdmfSeries series(folder / "cut" / "contacts", XdmfSeries::Topology::lines);
-      StateReader(state)("series", series);
+      StateReader archive(state);
+      archive("series", series);
       series.rewind();
       EXPECT_EQ(series.frames(), kept);
       EXPECT_EQ(frame_files("cut"), kept); // those beyond are gone
