@@ -104,7 +104,9 @@ int run_program(const int argc, char** argv)
     std::cerr << "interlock: " << error.what() << '\n';
     return interrupted;
   } catch (const std::exception& error) {
-    std::cerr << "interlock: the run failed: " << error.what() << '\n';
+    const std::string sentence = error.what();
+    const bool whole = !sentence.empty() && sentence.back() == '.';
+    std::cerr << "interlock: the run failed: " << sentence << (whole ? "\n" : ".\n");
     return failed;
   }
   return 0;
