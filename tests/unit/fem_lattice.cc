@@ -120,6 +120,6 @@ TEST(Lattice, RefusesWhatIsNoLattice)
   EXPECT_THROW(straight_line({0, 0, 0}, {1, 0, 0}, 0, section), std::invalid_argument);
   EXPECT_THROW(Lattice({straight_line({0, 0, 0}, {0, 0, 1}, 2, section)}), std::invalid_argument);
   BiaxialLayout empty = layout(0, 1, 1);
-  EXPECT_THROW(Lattice{empty}, std::invalid_argument);
+  EXPECT_THROW(Lattice(rib_lines(empty)), std::invalid_argument);
 }
 } // namespace
