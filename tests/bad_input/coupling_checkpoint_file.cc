@@ -181,8 +181,7 @@ TEST_F(CheckpointFile, OffersTheOneBefore)
   }
 }
 
-// --- Writes that fail
-// -----------------------------------------------------------------------------
+// --- Writes that fail --------------------------------------------------------------------------
 
 TEST_F(CheckpointFile, FullDiskLeavesTheOldOne)
 {

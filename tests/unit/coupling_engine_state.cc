@@ -62,8 +62,7 @@ void expect_same_energies(const Engine& a, const Engine& b, double dt)
   EXPECT_EQ(a.elastic_energy(), b.elastic_energy());
 }
 
-// --- Scenes
-// ---------------------------------------------------------------------------------------
+// --- Scenes ------------------------------------------------------------------------------------
 
 struct Scene {
   std::string name;
@@ -79,19 +78,18 @@ void PrintTo(const Scene& scene, std::ostream* out)
 
 constexpr double dt = crowd::time_step;
 
-// Clumps in a box whose lid presses, or, under Hertz's law, which force control does not know,
-// comes down.
-Engine crowd_in_a_box(const dem::ContactProperties& pair)
+// Four sides and a lid around the space from `low` to `high`. The lid presses, or, under Hertz's
+// law, which force control does not know, comes down.
+void close_box(Engine& engine, const Vector3& low, const Vector3& high,
+               const dem::ContactProperties& pair)
 {
-  Engine engine = crowd::thrown(11, pair).engine;
-  const double low = -0.021, high = 0.171, top = 0.172, side = high - low;
-  const Vector3 up(0, 0, 0.5);
-  engine.add_wall(dem::rectangle_wall("left", {low, low, 0}, {0, side, 0}, up, pair));
-  engine.add_wall(dem::rectangle_wall("right", {high, low, 0}, {0, side, 0}, up, pair));
-  engine.add_wall(dem::rectangle_wall("front", {low, low, 0}, {side, 0, 0}, up, pair));
-  engine.add_wall(dem::rectangle_wall("back", {low, high, 0}, {side, 0, 0}, up, pair));
-  const dem::WallId lid = engine.add_wall(
-      dem::rectangle_wall("lid", {low, low, top}, {side, 0, 0}, {0, side, 0}, pair));
+  const Vector3 x(high.x() - low.x(), 0, 0), y(0, high.y() - low.y(), 0), up(0, 0, 0.5);
+  engine.add_wall(dem::rectangle_wall("left", low, y, up, pair));
+  engine.add_wall(dem::rectangle_wall("right", low + x, y, up, pair));
+  engine.add_wall(dem::rectangle_wall("front", low, x, up, pair));
+  engine.add_wall(dem::rectangle_wall("back", low + y, x, up, pair));
+  const dem::WallId lid =
+      engine.add_wall(dem::rectangle_wall("lid", {low.x(), low.y(), high.z()}, x, y, pair));
   if (pair.model == dem::ContactModel::linear) {
     dem::ForceControl control;
     control.axis = {0, 0, -1};
@@ -101,6 +99,12 @@ Engine crowd_in_a_box(const dem::ContactProperties& pair)
   } else {
     engine.wall(lid).velocity = {0, 0, -0.5};
   }
+}
+
+Engine crowd_in_a_box(const dem::ContactProperties& pair)
+{
+  Engine engine = crowd::thrown(11, pair).engine;
+  close_box(engine, {-0.021, -0.021, 0}, {0.171, 0.171, 0.172}, pair);
   engine.set_local_damping(0.1);
   return engine;
 }
@@ -121,20 +125,24 @@ dem::MeshWall tray()
   return wall;
 }
 
-// Balls that resist rolling, on each other, on a floor and on the tray.
+// Balls that resist rolling, pressed on each other, on a floor, on the sides of a box and on the
+// tray.
 Engine balls_on_a_tray()
 {
-  constexpr double radius = 0.008;
+  constexpr double radius = 0.008, spacing = 0.0158; // [m]
   Engine engine({bodies::ball(radius)}, soft_pair(), 9.81);
   dem::RandomStream random(13);
   for (int n = 0; n < 90; ++n) {
-    const Vector3 place((n % 6 - 2.6) * 0.0158, (n / 6 % 5) * 0.0158, 0.013 + (n / 30) * 0.0152);
+    const Vector3 place(-0.041 + n % 6 * spacing, n / 6 % 5 * spacing, 0.013 + n / 30 * spacing);
     const int i = engine.add_clump(0, 2650, place + 4e-4 * random.direction(),
-                                   dem::Quaternion(random.rotation()), random.direction());
+                                   dem::Quaternion(random.rotation()), 0.1 * random.direction());
     bodies::set_spin(engine, i, 30 * random.direction());
   }
   engine.add_wall(
       dem::rectangle_wall("floor", {-0.2, -0.05, 0.004}, {0.2, 0, 0}, {0, 0.2, 0}, soft_pair()));
+  close_box(engine, {-0.049, -0.008, -0.05}, {-0.033 + 5 * spacing, 0.008 + 4 * spacing, 0.053},
+            soft_pair());
+  engine.set_local_damping(0.1);
   engine.add_mesh_wall(tray());
   engine.set_rolling({0.3, 0.2});
   return engine;
@@ -197,8 +205,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EngineState, testing::ValuesIn(scenes()),
                          [](const auto& scene) { return scene.param.name; });
 } // namespace
 
-// --- The engine
-// -----------------------------------------------------------------------------------
+// --- The engine --------------------------------------------------------------------------------
 
 TEST_P(EngineState, GoesOnWithTheSameDigits)
 {
@@ -300,8 +307,7 @@ TEST(EngineMemory, OtherWallsOfTrianglesAreRefused)
   EXPECT_THROW(reader("engine", bare), std::logic_error);
 }
 
-// --- The world
-// ------------------------------------------------------------------------------------
+// --- The world ---------------------------------------------------------------------------------
 
 namespace
 {

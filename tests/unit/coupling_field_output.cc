@@ -194,8 +194,7 @@ TEST_F(FieldOutput, IndexLeadsToEveryFrame)
   }
 }
 
-// --- Going on
-// -------------------------------------------------------------------------------------
+// --- Going on ----------------------------------------------------------------------------------
 
 // The run is stopped when it has written more frames than its state knows of; it goes on in another
 // process, and nothing tells the files from those of a run that was left alone.
@@ -266,8 +265,7 @@ TEST_F(FieldOutput, LeavesOtherSeriesAlone)
   EXPECT_EQ(frames("clumps").size(), 1u);
 }
 
-// --- Full disks
-// -----------------------------------------------------------------------------------
+// --- Full disks --------------------------------------------------------------------------------
 
 // The frame, or the index that would list it, finds no room: the frames before are as they were,
 // and the series goes on when there is room again.

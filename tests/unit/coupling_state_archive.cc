@@ -166,8 +166,7 @@ template <class T> StateTree written(const T& field)
 }
 } // namespace
 
-// --- Round trips
-// ----------------------------------------------------------------------------------
+// --- Round trips -------------------------------------------------------------------------------
 
 TEST(StateArchive, KeepsEveryBitOfDoubles)
 {
@@ -333,8 +332,7 @@ TEST(StateArchive, UnitsStandBesideTheNumbers)
   EXPECT_EQ(tree.at("state/field/turns").unit, "");
 }
 
-// --- Differences and hashes
-// -----------------------------------------------------------------------
+// --- Differences and hashes --------------------------------------------------------------------
 
 TEST(StateTree, FirstDifferenceIsOneSentenceAboutIt)
 {
@@ -438,8 +436,7 @@ TEST(StateTree, HashOfAPrefixSeesThatPartOnly)
   EXPECT_NE(hash_of(tree, "b/"), part);
 }
 
-// --- What does not fit
-// ----------------------------------------------------------------------------
+// --- What does not fit -------------------------------------------------------------------------
 
 TEST(StateArchive, RefusesWhatIsMissing)
 {
