@@ -12,6 +12,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 #include <sstream>
 
@@ -115,6 +116,8 @@ int run_program(const int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  // A limit on the size of files is a full disk to us: an error with a sentence, not the end.
+  std::signal(SIGXFSZ, SIG_IGN);
   // MPI and PETSc get no arguments: PETSc would answer --help and --version itself.
   int no_arguments = 1;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(no_arguments, argv, 1);

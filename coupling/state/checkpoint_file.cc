@@ -87,7 +87,8 @@ std::string fault_of(const std::string& bytes)
   if (format != state_format)
     return fmt::format("has the format {}, but this version of the program reads format {}", format,
                        state_format);
-  block >> word >> version >> word >> size >> word >> sum;
+  std::getline(block >> std::ws, version); // "program 0.1.0"
+  block >> word >> size >> word >> sum;
   if (bytes.size() < block_size + size)
     return fmt::format("is cut off: {} of {} bytes are there", bytes.size(), block_size + size);
   if (bytes.size() > block_size + size) return "is damaged: it is longer than it was written";

@@ -24,6 +24,11 @@ double seconds(Clock::time_point from, Clock::time_point to)
   return 0.5 * clumps.mass[i] * clumps.velocity[i].squaredNorm() +
          0.5 * clumps.angular_momentum[i].dot(clumps.spin[i]);
 }
+
+double energy_of(const RollingSpring& spring) // [J]
+{
+  return 0.5 * spring.stiffness * spring.angle.squaredNorm();
+}
 } // namespace
 
 Engine::Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on_stone,
@@ -52,6 +57,8 @@ std::vector<int> Engine::remove_clumps(const std::vector<bool>& remove)
     if (remove[c.i]) inserted_ -= elastic_energy(c);
   for (const MeshContact& c : mesh_contacts_.contacts())
     if (remove[c.i]) inserted_ -= MeshContacts::elastic_energy(c, mesh_walls_[c.wall].contact);
+  for (const RollingSpring& s : rolling_.springs())
+    if (remove[s.key[1]] || (s.key[0] == 0 && remove[s.key[2]])) inserted_ -= energy_of(s);
   const std::vector<int> new_index = clumps_.remove(remove);
   lists_.renumber_clumps(new_index);
   mesh_contacts_.renumber_clumps(new_index);
@@ -90,6 +97,8 @@ void Engine::remove_walls(const std::vector<WallId>& ids)
   for (const WallId id : ids) gone[wall_index(id)] = true;
   for (const WallContact& c : wall_contacts())
     if (gone[c.wall]) inserted_ -= elastic_energy(c);
+  for (const RollingSpring& s : rolling_.springs())
+    if (s.key[0] == 1 && gone[s.key[2]]) inserted_ -= energy_of(s);
   std::vector<int> new_index(walls_.size(), -1);
   std::vector<Wall> kept;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
