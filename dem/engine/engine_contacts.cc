@@ -130,6 +130,8 @@ double Engine::elastic_energy() const
   for (const WallContact& c : wall_contacts()) sum += elastic_energy(c);
   for (const MeshContact& c : mesh_contacts_.contacts())
     sum += MeshContacts::elastic_energy(c, mesh_walls_[c.wall].contact);
+  for (const RollingSpring& s : rolling_.springs())
+    sum += 0.5 * s.stiffness * s.angle.squaredNorm();
   return sum;
 }
 
