@@ -142,7 +142,8 @@ TEST_F(SmallPacking, UnusableParametersAreOneSentence)
 {
   const auto refusal = [](const PackingParameters& p) -> std::string {
     try {
-      Packing packing(p, {});
+      Packing packing(p);
+      packing.prepare({}, {});
     } catch (const InputError& error) {
       return error.what();
     }

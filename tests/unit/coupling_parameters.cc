@@ -96,6 +96,7 @@ TEST_F(Entries, FillOneMemberEach)
       {"Geogrid/Poisson ratio", &p.geogrid.poisson_ratio},
       {"Geogrid/Density", &p.geogrid.density},
       {"Geogrid/Mass damping", &p.geogrid.mass_damping},
+      {"Geogrid/Break strain", &p.geogrid.break_strain},
       {"Filling/Drop height", &p.filling.drop_height},
       {"Filling/Plate speed", &p.filling.plate_speed},
       {"Filling/Plate force limit", &p.filling.plate_force_limit},
@@ -108,7 +109,9 @@ TEST_F(Entries, FillOneMemberEach)
       {"Pull/Distance", &p.pull.distance},
       {"Pull/Ramp time", &p.pull.ramp_time},
       {"Time/Step", &p.time.step},
-      {"Time/Safety factor", &p.time.safety_factor}};
+      {"Time/Safety factor", &p.time.safety_factor},
+      {"Limits/Overlap", &p.limits.overlap},
+      {"Output/Checkpoint interval", &p.output.checkpoint_interval}};
   const std::map<std::string, int*> counts = {
       {"Stones/Count", &p.stones.count},
       {"Stones/Max spheres", &p.stones.max_spheres},
@@ -117,7 +120,8 @@ TEST_F(Entries, FillOneMemberEach)
       {"Geogrid/Elements per rib", &p.geogrid.elements_per_rib},
       {"Output/Records", &p.output.records},
       {"Output/Field frames", &p.output.field_frames}};
-  const std::size_t others = 9; // kind, 2 seeds, 3 truth values, folder, placement, mass properties
+  // Kind, 2 seeds, 3 truth values, folder, placement, mass properties, state to start from.
+  const std::size_t others = 10;
   EXPECT_EQ(table.entries().size(), numbers.size() + counts.size() + others);
 
   // A different value for each, inside every range; only then are they compared.
@@ -201,6 +205,10 @@ TEST_F(Entries, HaveDefaultsOnlyWherePhysicsDoesNotDependOnThem)
                                                  "Time/Step",
                                                  "Time/Safety factor",
                                                  "Output/Report",
+                                                 "Output/Checkpoint interval",
+                                                 "Limits/Overlap",
+                                                 "Geogrid/Break strain",
+                                                 "Start from",
                                                  "Geogrid/Elements per rib",
                                                  "Output/Field frames",
                                                  "Output/Records"};
