@@ -40,12 +40,15 @@ void silence()
 hid_t in_memory(const std::string* bytes)
 {
   constexpr std::size_t growth = 1 << 20;
+  // The library takes two open files of one name for the same file.
+  static int number = 0;
+  const std::string name = "memory " + std::to_string(++number);
   silence();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   require(H5Pset_fapl_core(access, growth, 0));
-  if (!bytes) return H5Fcreate("memory", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  if (!bytes) return H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   require(H5Pset_file_image(access, const_cast<char*>(bytes->data()), bytes->size()));
-  return H5Fopen("memory", H5F_ACC_RDONLY, access);
+  return H5Fopen(name.c_str(), H5F_ACC_RDONLY, access);
 }
 
 Handle text_type()
