@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <atomic>
 #include <stdexcept>
 
 namespace interlock::coupling
@@ -40,9 +41,9 @@ void silence()
 hid_t in_memory(const std::string* bytes)
 {
   constexpr std::size_t growth = 1 << 20;
-  // The library takes two open files of one name for the same file.
-  static int number = 0;
-  const std::string name = "memory " + std::to_string(++number);
+  // HDF5 tells open files apart by their names, those in memory too.
+  static std::atomic<int> files{0};
+  const std::string name = "memory_" + std::to_string(++files);
   silence();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   require(H5Pset_fapl_core(access, growth, 0));
