@@ -1,15 +1,13 @@
 // A number that changes when any digit of the state changes: proof that two runs are the same.
 #pragma once
 
-#include "dem/bodies/clumps.h"
-#include "fem/explicit/explicit_dynamics.h"
+#include "coupling/loop/world.h"
 
 #include <cstdint>
 
 namespace interlock::coupling
 {
-// FNV-1a (64 bit) over the bytes of ids, positions, attitudes, velocities and angular momenta of
-// all clumps, in their order, and of positions, attitudes, velocities and spins of all lattice
-// nodes. `lattice` may be null.
-std::uint64_t state_hash(const dem::Clumps& clumps, const fem::ExplicitDynamics* lattice);
+// Of everything in the field list of a world: clumps, walls, what contacts remember, lattice, energy
+// sums, clock. Caches are in no field list, so lists, skins and restarts do not change it.
+std::uint64_t state_hash(const World& world);
 } // namespace interlock::coupling

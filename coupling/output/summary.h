@@ -37,7 +37,7 @@ struct Summary {
   nlohmann::ordered_json results;    // by experiment; names carry their unit: peak_force_N
   std::vector<std::string> warnings; // full sentences
   bool ledger_closes = true;         // false: a tenth of the work or more was made or lost
-  std::uint64_t state_hash = 0;      // of all positions and velocities at the end
+  std::uint64_t state_hash = 0;      // of the whole state at the end (coupling/loop/state_hash.h)
 };
 
 // A hash as 16 digits: JSON numbers are doubles to many readers, which would lose some.

@@ -162,8 +162,7 @@ private:
     summary.steps = world().clock.step;
     summary.simulated_time = world().clock.time();
     summary.wall_time = records_.wall_time();
-    summary.state_hash =
-        state_hash(clumps, world().geogrid() ? &world().geogrid()->dynamics() : nullptr);
+    summary.state_hash = state_hash(world());
     experiment_.finish(plan_, records_);
   }
 

@@ -2,18 +2,21 @@
 # Kills a pull-out run (signal 9) at a random moment and resumes it, again and again, and compares what
 # comes out with the undisturbed run: state hash, history, frames, results, to the last bit. One line a
 # try; exit code 1 as soon as one try differs.
-#   kills.sh [-s SEED] [-k] [CASE [TRIES [PROGRAM]]]
+#   kills.sh [-s SEED] [-n KILLS] [-k] [CASE [TRIES [PROGRAM]]]
 #     CASE    quick (cases/pullout/quick.prm, hours for 50 tries), small (small.prm beside this file) or a .prm file
 #     -s      seed of the moments, 1 if not given
+#     -n      kills a try, each after up to two KILLS-th parts of the duration: many kills in a long run. If
+#             not given, one a try at any moment of the run, and one in three resumed runs is killed once more
 #     -k      keep the folder of all runs and name it
 set -uo pipefail
 
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 root="$(cd "$here/../.." && pwd)"
-seed=1 keep=
-while getopts s:k option; do
+seed=1 keep= often=0
+while getopts s:n:k option; do
   case "$option" in
     s) seed="$OPTARG" ;;
+    n) often="$OPTARG" ;;
     k) keep=yes ;;
     *) exit 2 ;;
   esac
@@ -80,7 +83,9 @@ echo "Undisturbed: $duration s, state_hash $(python3 -c 'import json; print(json
 passed=0 failed=0 kills=0
 for ((try = 1; try <= tries; ++try)); do
   folder="try_$try" text= options=()
-  after="$(moment "$duration")"
+  span="$duration"
+  [ "$often" -eq 0 ] || span="$(awk -v t="$duration" -v n="$often" 'BEGIN { print 2 * t / n }')"
+  after="$(moment "$span")" left="$often"
   while true; do
     run "$folder" "$after" "${options[@]}"
     code=$?
@@ -89,8 +94,12 @@ for ((try = 1; try <= tries; ++try)); do
     kills=$((kills + 1))
     text+="${text:+; }killed in $(stage_of "$folder") after $after s"
     options=(--resume)
-    # One in three is killed once more.
-    if ((RANDOM % 3 == 0)); then after="$(moment "$duration")"; else after=0; fi
+    left=$((left - 1))
+    if { [ "$often" -gt 0 ] && [ "$left" -gt 0 ]; } || { [ "$often" -eq 0 ] && ((RANDOM % 3 == 0)); }; then
+      after="$(moment "$span")"
+    else
+      after=0
+    fi
   done
   [ -n "$text" ] || text="was over before $after s"
   if [ "$code" -ne 0 ]; then
