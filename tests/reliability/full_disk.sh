@@ -12,8 +12,10 @@ program="$(realpath "${1:-$here/../../build/release/bin/interlock}")"
 work="$(mktemp -d)"
 disk="$work/disk"
 mkdir "$disk"
+child=
 tidy()
 {
+  [ -n "$child" ] && kill -KILL "$child" 2>/dev/null && wait "$child" 2>/dev/null
   mountpoint -q "$disk" && umount "$disk"
   rm -rf "$work"
 }
@@ -27,7 +29,18 @@ export TMPDIR="$work" OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 cd "$work" || exit 1
 
 # run FOLDER OPTION...
-run() { "$program" run "$here/small.prm" --set Output/Report=false --output "$1" "${@:2}"; }
+run()
+{
+  "$program" run "$here/small.prm" --set Output/Report=false --output "$1" "${@:2}" >out 2>err &
+  child=$!
+}
+
+finish()
+{
+  wait "$child"
+  code=$?
+  child=
+}
 
 fill()
 {
@@ -36,11 +49,11 @@ fill()
   dd if=/dev/zero of="$disk/ballast.rest" bs=4k status=none 2>/dev/null
 }
 
-# Waits until $1 holds or process $2 has ended.
+# Waits until $1 holds or the run has ended.
 await()
 {
   until eval "$1"; do
-    kill -0 "$2" 2>/dev/null || return 1
+    kill -0 "$child" 2>/dev/null || return 1
     sleep 0.01
   done
 }
@@ -50,19 +63,19 @@ passed=0 failed=0
 # file whose name matches FILE.
 try()
 {
-  local name="$1" when="$2" file="$3" options=("${@:4}") fault= code child
-  run "undisturbed" "${options[@]}" >out 2>err || { echo "the undisturbed run failed:"; cat err; exit 1; }
+  local name="$1" when="$2" file="$3" options=("${@:4}") fault= code
+  run "undisturbed" "${options[@]}"
+  finish
+  [ "$code" -eq 0 ] || { echo "the undisturbed run failed:"; cat err; exit 1; }
   mount -t tmpfs -o size=16m tmpfs "$disk"
   # The disk is full from the start, where there is nothing to wait for.
   [ "$when" = at-once ] && fill
-  run "$disk/run" "${options[@]}" >out 2>err &
-  child=$!
+  run "$disk/run" "${options[@]}"
   if [ "$when" != at-once ]; then
-    await "$when" "$child" || fault="the run was over before the disk was full; "
+    await "$when" || fault="the run was over before the disk was full; "
     fill
   fi
-  wait "$child"
-  code=$?
+  finish
   [ "$code" -eq 3 ] || fault+="exit code $code; "
   [ "$(wc -l <err)" -eq 1 ] || fault+="$(wc -l <err) lines on the error stream; "
   grep -q "$file.*No space left on device.*\.\$" err || fault+="no sentence with file and reason; "
@@ -71,8 +84,8 @@ try()
   echo "$name: exit code $code: $(head -n 1 err | sed "s|$work|...|g")"
 
   mount -o remount,size=64m "$disk"
-  run "$disk/run" "${options[@]}" --resume >out 2>err
-  code=$?
+  run "$disk/run" "${options[@]}" --resume
+  finish
   if [ "$code" -ne 0 ]; then
     fault+="the resumed run ends with exit code $code: $(head -n 1 err); "
   elif ! python3 "$here/compare_runs.py" undisturbed "$disk/run" >differences; then

@@ -44,7 +44,8 @@ RANDOM="$seed"
 run()
 {
   timeout --signal=KILL "$2" "$program" run "$case" --set Output/Report=false \
-    --set "Output/Checkpoint interval=$interval" --output "$1" "${@:3}" >>"$1.out" 2>>"$1.err"
+    --set "Output/Checkpoint interval=$interval" --output "$1" "${@:3}" >"$1.out" 2>"$1.err" &
+  wait $! 2>/dev/null # or the shell reports each kill
 }
 
 # A random share of $1 seconds.
@@ -59,7 +60,7 @@ stage_of()
   for stage in "${stages[@]}"; do
     grep -qs "^$stage: " "$1/run.log" || { echo "${stage/#stones/preparation}"; return; }
   done
-  echo "end"
+  echo "the last lines"
 }
 
 # Where the last process of folder $1 went on.
@@ -70,7 +71,7 @@ resumed_at()
   case "$line" in
     Going*) sed -E 's/.* at (t = [^ ]+ s), step ([0-9]+), .*/\1, step \2/' <<<"$line" ;;
     There*) echo "the beginning" ;;
-    *) echo "nowhere" ;;
+    *) echo "nothing yet" ;;
   esac
 }
 
@@ -80,7 +81,7 @@ duration="$(awk -v a="$begin" -v b="$(seconds_now)" 'BEGIN { printf "%.3f", b - 
 mapfile -t stages < <(python3 -c 'import json; print(*(s["name"] for s in json.load(open("undisturbed/summary.json"))["stages"]), sep="\n")')
 echo "Undisturbed: $duration s, state_hash $(python3 -c 'import json; print(json.load(open("undisturbed/summary.json"))["state_hash"])')"
 
-passed=0 failed=0 kills=0
+passed=0 failed=0 kills=0 redrawn=0
 for ((try = 1; try <= tries; ++try)); do
   folder="try_$try" text= options=()
   span="$duration"
@@ -101,6 +102,12 @@ for ((try = 1; try <= tries; ++try)); do
       after=0
     fi
   done
+  # A busy machine is not equally quick all the time: a run that was over has not been killed.
+  if [ -z "$text" ] && [ "$code" -eq 0 ] && ((redrawn++ < tries)); then
+    rm -rf "${folder:?}"
+    ((--try))
+    continue
+  fi
   [ -n "$text" ] || text="was over before $after s"
   if [ "$code" -ne 0 ]; then
     verdict="FAILED, exit code $code: $(tail -n 1 "$folder.err")"
