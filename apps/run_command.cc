@@ -10,6 +10,10 @@
 #include "coupling/run/run_failure.h"
 #include "coupling/output/summary.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -86,12 +90,22 @@ coupling::Summary simulate(const RunInput& input, coupling::RunRequest request, 
   return summary;
 }
 
-// What to type to go on, as it was typed.
+// As a shell takes it for one word.
+std::string quoted(const std::string& word)
+{
+  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string("_./=+-:,@%").find(c) != std::string::npos;
+  });
+  if (plain && !word.empty()) return word;
+  return "'" + boost::algorithm::replace_all_copy(word, "'", "'\\''") + "'";
+}
+
+// What to type to go on with the same run.
 std::string resume_line(const RunArguments& arguments)
 {
-  std::string line = "interlock run " + arguments.file;
-  for (const std::string& entry : arguments.overrides) line += " --set \"" + entry + '"';
-  if (!arguments.output.empty()) line += " --output " + arguments.output;
+  std::string line = "interlock run " + quoted(arguments.file);
+  for (const std::string& entry : arguments.overrides) line += " --set " + quoted(entry);
+  if (!arguments.output.empty()) line += " --output " + quoted(arguments.output);
   return line + " --resume";
 }
 
@@ -125,9 +139,10 @@ void run(const RunArguments& arguments)
   try {
     summary = simulate(input, request, log);
   } catch (const coupling::RunStopped& stopped) {
-    log.stream() << "Stopped on request." << std::endl;
-    throw Interrupted("interrupted; the state is in " + stopped.checkpoint() + ", go on with: " +
-                      resume_line(arguments));
+    const std::string sentence = "interrupted; the state is in " + stopped.checkpoint() +
+                                 ", go on with: " + resume_line(arguments);
+    log.stream() << "Stopped: " << sentence << std::endl;
+    throw Interrupted(sentence);
   } catch (const std::exception& error) {
     log.stream() << "Stopped: " << error.what() << std::endl;
     throw;

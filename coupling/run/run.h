@@ -130,11 +130,12 @@ private:
   void end_stage(const std::string& result)
   {
     check_physics(world(), experiment_.limits());
-    records_.end_stage(result, world().clock);
+    const std::string sentence = records_.end_stage(result, world().clock);
     ++stage_;
     const StateTree tree = state();
     if (stage_ < plan_.size()) keep_start_state(tree);
     checkpoints_.write(tree);
+    records_.message(sentence);
   }
 
   // Stages that other runs may start at leave the state before them behind.

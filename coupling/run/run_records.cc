@@ -41,14 +41,14 @@ void RunRecords::begin_stage(const std::string& name, const StepClock& clock)
   stage_clock_start_ = Clock::now();
 }
 
-void RunRecords::end_stage(const std::string& result, const StepClock& clock)
+std::string RunRecords::end_stage(const std::string& result, const StepClock& clock)
 {
   StageSummary& stage = summary.stages.back();
   stage.steps = clock.step - stage_begin_step_;
   stage.simulated_time = clock.time() - stage_begin_time_;
   stage.wall_time = stage_wall_time();
   in_stage_ = false;
-  message(fmt::format("{}: {} ({:.1f} s)", stage.name, result, stage.wall_time));
+  return fmt::format("{}: {} ({:.1f} s)", stage.name, result, stage.wall_time);
 }
 
 void RunRecords::add_stage(const std::string& name, const std::string& result, double wall_time)

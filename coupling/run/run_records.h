@@ -28,7 +28,8 @@ public:
   void resume();
 
   void begin_stage(const std::string& name, const StepClock& clock);
-  void end_stage(const std::string& result, const StepClock& clock);
+  // Returns the sentence for the log, so that the state can be kept before anybody reads it.
+  std::string end_stage(const std::string& result, const StepClock& clock);
   // One that made no step: the preparation before the run.
   void add_stage(const std::string& name, const std::string& result, double wall_time);
   bool in_stage() const { return in_stage_; }
