@@ -82,7 +82,8 @@ coupling::Summary simulate(const RunInput& input, coupling::RunRequest request, 
   const ReadyExperiment experiment = input.experiment->prepare(input.parameters, request);
   create_output_folder(request.folder);
   log.open(request.folder / "run.log", request.resume);
-  coupling::write_atomically(request.folder / "used.prm", input.used);
+  // A resumed run has the entries of its checkpoint, or is refused.
+  if (!request.resume) coupling::write_atomically(request.folder / "used.prm", input.used);
 
   coupling::Summary summary = experiment(request);
   summary.version = INTERLOCK_VERSION;
