@@ -94,9 +94,9 @@ const std::vector<Experiment>& experiments()
       row<coupling::HeapParameters>(
           "heap", heap_template(), coupling::declare_heap, coupling::check_heap, heap,
           [](const coupling::HeapParameters& p) { return p.output.report; }),
-      row<coupling::PackingParameters>(
-          "packing", packing_template(), coupling::declare_packing, coupling::check_packing,
-          packing, [](const coupling::PackingParameters&) { return false; }),
+      row<coupling::PackingParameters>("packing", packing_template(), coupling::declare_packing,
+                                       coupling::check_packing, packing,
+                                       [](const coupling::PackingParameters&) { return false; }),
       row<coupling::LaboratoryParameters>(
           "laboratory", laboratory_template(), coupling::declare_laboratory,
           coupling::check_laboratory, laboratory,

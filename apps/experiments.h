@@ -36,8 +36,8 @@ struct Experiment {
   std::function<void(coupling::ParameterTable&, ExperimentParameters&)> declare;
   // What no single entry's range can tell.
   std::function<std::vector<coupling::ParameterProblem>(const ExperimentParameters&)> check;
-  // Throws InputError when the parameters cannot be run; writes nothing. Of the request it heeds what
-  // the folder need not exist for: entries, resume, monitor.
+  // Throws InputError when the parameters cannot be run; writes nothing. Of the request it heeds
+  // what the folder need not exist for: entries, resume, monitor.
   std::function<ReadyExperiment(const ExperimentParameters&, const coupling::RunRequest&)> prepare;
   std::function<bool(const ExperimentParameters&)> draws_figures; // at the end of a run
 };

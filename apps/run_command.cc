@@ -173,9 +173,10 @@ void add_run_command(CLI::App& program)
       ->expected(1);
   command->add_option("-o,--output", arguments->output,
                       "Output folder; results/NAME for a file NAME.prm if not given.");
-  command->add_flag("--resume", arguments->resume,
-                    "Go on from the checkpoint in the output folder; from the beginning when there is "
-                    "none yet.");
+  command->add_flag(
+      "--resume", arguments->resume,
+      "Go on from the checkpoint in the output folder; from the beginning when there is "
+      "none yet.");
   command->footer("Example: interlock run cases/pullout/quick.prm --set \"Geogrid/Rigid=true\" -o "
                   "results/rigid");
   command->callback([arguments] { run(*arguments); });

@@ -56,8 +56,8 @@ fs::path write_part(const fs::path& file, const std::string& bytes, bool durable
 } // namespace
 
 WriteError::WriteError(const fs::path& file)
-    : std::runtime_error("the file " + file.string() + " cannot be written: " +
-                         std::strerror(errno))
+    : std::runtime_error("the file " + file.string() +
+                         " cannot be written: " + std::strerror(errno))
 {
 }
 

@@ -15,8 +15,8 @@ public:
   explicit WriteError(const std::filesystem::path& file);
 };
 
-// Writes `text` under the temporary name `file`.part, then renames it. Throws WriteError when the disk is full or the folder is gone; the old file is untouched then, and
-// no temporary one is left.
+// Writes `text` under the temporary name `file`.part, then renames it. Throws WriteError when the
+// disk is full or the folder is gone; the old file is untouched then, and no temporary one is left.
 void write_atomically(const std::filesystem::path& file, const std::string& text);
 
 // The same, and sure to be on the disk before it gets its name, so that a power failure does not

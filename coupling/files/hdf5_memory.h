@@ -1,6 +1,6 @@
-// An HDF5 file in memory: made, then written to disk like any text; or read from disk, checked, then
-// opened. So neither locks, nor a full disk, nor a kill in the middle can leave half a file, and
-// errors of the library never reach the terminal.
+// An HDF5 file in memory: made, then written to disk like any text; or read from disk, checked,
+// then opened. So neither locks, nor a full disk, nor a kill in the middle can leave half a file,
+// and errors of the library never reach the terminal.
 #pragma once
 
 #include <cstdint>

@@ -67,12 +67,13 @@ void Heap::prepare(const Monitor& monitor, const std::vector<CaseEntry>&)
   releases = plan_drop(stones, parameters_.drop, parameters_.gravity);
   const double dt = world_.clock.dt;
   preparation_ = fmt::format(
-      "{} shapes of {:.1f} spheres on average, mean size {:.1f} mm; {} stones let go in {:.2f} s; {}",
+      "{} shapes of {:.1f} spheres on average, mean size {:.1f} mm; {} stones let go in {:.2f} s; "
+      "{}",
       stones.size(), static_cast<double>(spheres) / n, 1e3 * mean_size, releases.size(),
       releases.back().time,
-      c.model.linear() ? time_step_budget(dt, world_.engine.expected_stable_step(densities,
-                                                                                 expected_contacts))
-                       : fmt::format("time step {:.3g} us", 1e6 * dt));
+      c.model.linear()
+          ? time_step_budget(dt, world_.engine.expected_stable_step(densities, expected_contacts))
+          : fmt::format("time step {:.3g} us", 1e6 * dt));
   preparation_time_ =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

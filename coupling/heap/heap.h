@@ -25,8 +25,8 @@ public:
   static constexpr const char* name = "heap";
   using Stage = std::variant<DropStage, HeapSettleStage>;
 
-  // Floor and walls, but no stones yet: for reading a state into. Throws InputError when the file of
-  // the wall of triangles cannot be used.
+  // Floor and walls, but no stones yet: for reading a state into. Throws InputError when the file
+  // of the wall of triangles cannot be used.
   explicit Heap(const HeapParameters& parameters);
 
   // Makes the stones, plans the drop, checks the time step. Throws InputError, one full sentence,
@@ -54,13 +54,13 @@ public:
   double mean_size = 0;          // of a stone: diameter of the ball of equal mean volume [m]
   double mean_sphere_radius = 0; // [m]
   // Of the run so far.
-  std::int64_t rows = 0, frames = 0;    // written, of those at whole intervals
-  int lost = 0;                         // stones that rolled off the floor
-  double longest_delay = 0;             // of a release, behind the plan [s]
-  double at_rest_time = 0;              // after the last release [s]
-  double largest_overlap = 0;           // of all steps [m]
-  double smallest_stable_step = 1e300;  // at the records [s]
-  EnergyLedger ledger;                  // of the last record
+  std::int64_t rows = 0, frames = 0;   // written, of those at whole intervals
+  int lost = 0;                        // stones that rolled off the floor
+  double longest_delay = 0;            // of a release, behind the plan [s]
+  double at_rest_time = 0;             // after the last release [s]
+  double largest_overlap = 0;          // of all steps [m]
+  double smallest_stable_step = 1e300; // at the records [s]
+  EnergyLedger ledger;                 // of the last record
 
 private:
   HeapParameters parameters_;

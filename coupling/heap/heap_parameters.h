@@ -41,9 +41,9 @@ struct HeapMeasureParameters {
 };
 
 struct HeapOutputParameters {
-  double record_interval = 0; // between two rows of history.csv [s]
-  double frame_interval = 0;  // between two frames for ParaView; 0: only the last one [s]
-  bool report = true;         // draw the figures at the end
+  double record_interval = 0;      // between two rows of history.csv [s]
+  double frame_interval = 0;       // between two frames for ParaView; 0: only the last one [s]
+  bool report = true;              // draw the figures at the end
   double checkpoint_interval = 60; // of wall-clock time; 0: at the ends of stages only [s]
 };
 

@@ -186,14 +186,16 @@ void Heap::finish(std::vector<Stage>&, RunRecords& records) const
   s.results["smallest_stable_step_s"] = smallest_stable_step;
 
   if (longest_delay > 0)
-    records.warn(fmt::format("A stone was let go {:.6g} s later than planned: another one was in its "
-                             "place, so this drop is not that of other runs with the same seed.",
-                             longest_delay));
+    records.warn(
+        fmt::format("A stone was let go {:.6g} s later than planned: another one was in its "
+                    "place, so this drop is not that of other runs with the same seed.",
+                    longest_delay));
   if (lost > 0)
     records.warn(fmt::format("{} stones rolled off the floor; make Drop/Floor side larger.", lost));
   if (world_.clock.dt > smallest_stable_step)
-    records.warn(fmt::format("The time step of {:.6g} s was above the live stable step of {:.6g} s.",
-                             world_.clock.dt, smallest_stable_step));
+    records.warn(
+        fmt::format("The time step of {:.6g} s was above the live stable step of {:.6g} s.",
+                    world_.clock.dt, smallest_stable_step));
   warn_of_ledger(ledger, records);
   s.ledger_closes = ledger.relative_error() <= ledger_failure;
 }

@@ -28,8 +28,7 @@ bool let_go(const Release& planned, Heap& heap)
   const bool late = delay > 1.5 * dt;
   if (late) release.time = time;
   const Stone& stone = heap.stones[release.stone];
-  const FallingStone falling =
-      falling_stone(stone, release, time, dt, heap.parameters().gravity);
+  const FallingStone falling = falling_stone(stone, release, time, dt, heap.parameters().gravity);
   if (!dem::place_is_free(world.engine.clumps(), world.engine.walls(), stone.shape,
                           falling.pose.position, falling.pose.orientation))
     return false;
@@ -54,9 +53,10 @@ StageStatus before_step(DropStage& stage, Heap& heap, RunRecords&)
   // Twice the planned time and a while: the planned drop has long been over.
   constexpr double patience = 10; // [s]
   if (heap.world().clock.time() > 2 * heap.releases.back().time + patience)
-    throw RunFailure(fmt::format("The place of the next stone does not become free until t = {:.3g} "
-                                 "s: the heap has grown up to Drop/Height.",
-                                 heap.world().clock.time()));
+    throw RunFailure(
+        fmt::format("The place of the next stone does not become free until t = {:.3g} "
+                    "s: the heap has grown up to Drop/Height.",
+                    heap.world().clock.time()));
   return running(static_cast<double>(stage.released) / all);
 }
 

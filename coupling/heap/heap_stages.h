@@ -26,9 +26,7 @@ StageStatus before_step(DropStage& stage, Heap& heap, RunRecords& records);
 StageStatus before_step(HeapSettleStage& stage, Heap& heap, RunRecords& records);
 void look(DropStage& stage, Heap& heap, RunRecords& records);
 void look(HeapSettleStage& stage, Heap& heap, RunRecords& records);
-template <class Stage> void after_step(Stage&, Heap&, RunRecords&)
-{
-}
+template <class Stage> void after_step(Stage&, Heap&, RunRecords&) {}
 
 inline std::string stage_name(const DropStage&)
 {

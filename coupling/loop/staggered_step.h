@@ -64,7 +64,7 @@ private:
   // What ribs did to one stone near them, mean over the last step: local damping takes it for that
   // of the step to come.
   struct MeanLoad {
-    std::int64_t clump = 0;                                                // id
+    std::int64_t clump = 0;                                                   // id
     dem::Vector3 force = dem::Vector3::Zero(), torque = dem::Vector3::Zero(); // [N], [N m]
     template <class Archive> friend void exchange(Archive& archive, MeanLoad& load)
     {
@@ -87,12 +87,12 @@ private:
   RibTransfer* geogrid_ = nullptr;
   dem::RibContacts rib_contacts_;
   dem::ContactEnergy rib_energy_;
-  double geogrid_inserted_ = 0;                // energy of the lattice when it was placed [J]
-  double rib_energy_removed_ = 0;              // of contacts with ribs, gone with their stones [J]
-  double rib_work_on_stones_ = 0;              // [J]
-  dem::VectorField rib_force_, rib_torque_;    // on clumps, of the present sub-step
-  std::vector<MeanLoad> mean_loads_;           // of the last step, ascending ids
-  std::vector<MeanMotion> mean_motion_;        // by place among the near clumps
+  double geogrid_inserted_ = 0;                 // energy of the lattice when it was placed [J]
+  double rib_energy_removed_ = 0;               // of contacts with ribs, gone with their stones [J]
+  double rib_work_on_stones_ = 0;               // [J]
+  dem::VectorField rib_force_, rib_torque_;     // on clumps, of the present sub-step
+  std::vector<MeanLoad> mean_loads_;            // of the last step, ascending ids
+  std::vector<MeanMotion> mean_motion_;         // by place among the near clumps
   dem::VectorField other_force_, other_torque_; // mean_loads_ by clump
   dem::ScalarField held_;                       // 1: drifts in sub-steps
   // Only grows, so that velocities stay centred between equal steps: part of the state.

@@ -7,7 +7,7 @@
 
 namespace interlock::coupling
 {
-// Of everything in the field list of a world: clumps, walls, what contacts remember, lattice, energy
-// sums, clock. Caches are in no field list, so lists, skins and restarts do not change it.
+// Of everything in the field list of a world: clumps, walls, what contacts remember, lattice,
+// energy sums, clock. Caches are in no field list, so lists, skins and restarts do not change it.
 std::uint64_t state_hash(const World& world);
 } // namespace interlock::coupling

@@ -56,8 +56,8 @@ private:
   std::unique_ptr<RibTransfer> geogrid_;
 };
 
-// The field list of a world. Reading goes into a world that has its geogrid, if it has one, attached
-// with the lattice of the case.
+// The field list of a world. Reading goes into a world that has its geogrid, if it has one,
+// attached with the lattice of the case.
 template <class Archive> void exchange(Archive& archive, World& world)
 {
   archive("clock", world.clock);

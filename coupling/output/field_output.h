@@ -51,8 +51,8 @@ public:
 
   // Adds a frame. `points`: x, y, z of each point [m]; `lines`: both point numbers of each line,
   // empty for a series of points. Afterwards all files are closed and complete. Throws
-  // std::invalid_argument when the sizes do not fit, std::runtime_error, with the reason, when a file
-  // cannot be written; the frames before are as they were then.
+  // std::invalid_argument when the sizes do not fit, std::runtime_error, with the reason, when a
+  // file cannot be written; the frames before are as they were then.
   void write(double time, const std::vector<double>& points, const std::vector<int>& lines,
              const std::vector<OutputField>& fields);
 

@@ -22,8 +22,8 @@ public:
   History(const std::filesystem::path& file, const std::vector<std::string>& columns);
 
   // Goes on with the file of the same run: keeps its first `rows` rows and cuts off what is behind
-  // them, a torn row included. Throws InputError, one sentence, when the file is not there, has other
-  // columns or fewer rows.
+  // them, a torn row included. Throws InputError, one sentence, when the file is not there, has
+  // other columns or fewer rows.
   History(const std::filesystem::path& file, const std::vector<std::string>& columns,
           std::int64_t rows);
 

@@ -122,9 +122,14 @@ std::vector<Packing::Stage> Packing::plan() const
 
 std::vector<std::string> Packing::history_columns() const
 {
-  return {"time [s]",          "kinetic_energy [J]",  "touching_sphere_pairs [-]",
-          "wall_contacts [-]", "largest_overlap [m]", "floor_force [N]",
-          "side_wall_friction [N]", "energy_relative_error [-]"};
+  return {"time [s]",
+          "kinetic_energy [J]",
+          "touching_sphere_pairs [-]",
+          "wall_contacts [-]",
+          "largest_overlap [m]",
+          "floor_force [N]",
+          "side_wall_friction [N]",
+          "energy_relative_error [-]"};
 }
 
 void Packing::begin(RunRecords& records) const
@@ -132,8 +137,9 @@ void Packing::begin(RunRecords& records) const
   records.add_stage("state", preparation_, preparation_time_);
   const double stable = world_.engine.stable_step().step, dt = world_.clock.dt;
   if (stable > 0 && dt > stable)
-    records.warn(fmt::format("The time step of {:.3g} us is above the stable step of {:.3g} us of the "
-                             "state's contacts.",
-                             1e6 * dt, 1e6 * stable));
+    records.warn(
+        fmt::format("The time step of {:.3g} us is above the stable step of {:.3g} us of the "
+                    "state's contacts.",
+                    1e6 * dt, 1e6 * stable));
 }
 } // namespace interlock::coupling

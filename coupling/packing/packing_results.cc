@@ -26,8 +26,8 @@ void describe_speed(const TimedStage& timed, const World& world, RunRecords& rec
                                   std::lround(1 / whole));
   for (const auto& [part, seconds] : parts) {
     summary.results[std::string(part) + "_s_per_step"] = seconds;
-    table += fmt::format("\n  {:<12} {:10.3f} us {:6.1f} %", part, 1e6 * seconds,
-                         100 * seconds / whole);
+    table +=
+        fmt::format("\n  {:<12} {:10.3f} us {:6.1f} %", part, 1e6 * seconds, 100 * seconds / whole);
   }
   summary.results["output_s_per_step"] = outside / steps;
   const dem::ListCounts lists = world.engine.profile().counts;
@@ -37,8 +37,8 @@ void describe_speed(const TimedStage& timed, const World& world, RunRecords& rec
   summary.results["list_sizes"] = {{"clump_pairs", lists.clump_pairs},
                                    {"sphere_pairs", lists.candidates},
                                    {"about_to_touch", lists.lanes}};
-  table += fmt::format("\n  {:<12} {:10.3f} us besides, with checks", "output",
-                       1e6 * outside / steps);
+  table +=
+      fmt::format("\n  {:<12} {:10.3f} us besides, with checks", "output", 1e6 * outside / steps);
   records.message(table + "\n  state hash " + hexadecimal(summary.state_hash));
 }
 

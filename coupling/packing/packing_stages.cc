@@ -43,8 +43,7 @@ void start(StepTimer& timer)
 
 void stop(StepTimer& timer)
 {
-  timer.seconds +=
-      std::chrono::duration<double>(StepTimer::Clock::now() - timer.start).count();
+  timer.seconds += std::chrono::duration<double>(StepTimer::Clock::now() - timer.start).count();
 }
 
 // The floor is the first wall, the sides follow.
@@ -63,10 +62,9 @@ double floor_force(const dem::Engine& engine)
 void record(const TimedStage& stage, const World& world, RunRecords& records)
 {
   const dem::Engine& engine = world.engine;
-  records.add({world.clock.time(), stage.ledger.kinetic_stones,
-               double(engine.n_touching_spheres()), double(touching_walls(engine)),
-               engine.largest_overlap(), floor_force(engine), side_wall_friction(engine),
-               stage.ledger.relative_error()});
+  records.add({world.clock.time(), stage.ledger.kinetic_stones, double(engine.n_touching_spheres()),
+               double(touching_walls(engine)), engine.largest_overlap(), floor_force(engine),
+               side_wall_friction(engine), stage.ledger.relative_error()});
   Summary& summary = records.summary;
   summary.contacts = engine.n_touching_spheres();
   summary.results["touching_sphere_pairs"] = summary.contacts;
@@ -80,9 +78,10 @@ void check_for_missed_contacts(const World& world)
   const int listed = world.engine.n_touching_spheres(),
             there = world.engine.count_overlaps_brute_force();
   if (listed != there)
-    throw RunFailure(fmt::format("At step {} the neighbour lists hold {} touching sphere pairs, but a "
-                                 "search of all pairs finds {}.",
-                                 world.clock.step, listed, there));
+    throw RunFailure(
+        fmt::format("At step {} the neighbour lists hold {} touching sphere pairs, but a "
+                    "search of all pairs finds {}.",
+                    world.clock.step, listed, there));
 }
 } // namespace
 

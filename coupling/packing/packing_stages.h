@@ -40,9 +40,7 @@ struct TimedStage {
 
 StageStatus before_step(WarmUpStage& stage, Packing& packing, RunRecords& records);
 StageStatus before_step(TimedStage& stage, Packing& packing, RunRecords& records);
-template <class Stage> void look(Stage&, Packing&, RunRecords&)
-{
-}
+template <class Stage> void look(Stage&, Packing&, RunRecords&) {}
 void look(TimedStage& stage, Packing& packing, RunRecords& records);
 void after_step(WarmUpStage& stage, Packing& packing, RunRecords& records);
 void after_step(TimedStage& stage, Packing& packing, RunRecords& records);

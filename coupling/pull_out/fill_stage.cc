@@ -48,10 +48,11 @@ StageStatus before_step(FillStage& stage, PullOut& experiment, RunRecords& recor
     if (stage.phase == FillStage::Phase::levelling) {
       const dem::Clumps& clumps = clumps_of(experiment);
       const BoxParameters& box = experiment.parameters().box;
-      return finished(fmt::format("{} stones, {:.2f} kg, mean surface at {:.0f} mm; {} stones above "
-                                  "it were taken off",
-                                  stones(clumps), mass_in_box(clumps, box),
-                                  1e3 * surface_height(clumps, box), stage.taken_off));
+      return finished(
+          fmt::format("{} stones, {:.2f} kg, mean surface at {:.0f} mm; {} stones above "
+                      "it were taken off",
+                      stones(clumps), mass_in_box(clumps, box), 1e3 * surface_height(clumps, box),
+                      stage.taken_off));
     }
     pour_or_level(stage, experiment);
   }

@@ -16,8 +16,8 @@ void lower_plate(FlattenStage& stage, PullOut& experiment)
 {
   dem::Engine& engine = experiment.world().engine;
   stage.from = highest_point(engine.clumps(), stage.height);
-  dem::Wall plate = box_plate("plate", experiment.parameters().box, experiment.stone_on_box(),
-                              stage.from);
+  dem::Wall plate =
+      box_plate("plate", experiment.parameters().box, experiment.stone_on_box(), stage.from);
   plate.velocity = {0, 0, -experiment.parameters().filling.plate_speed};
   stage.plate = engine.add_wall(plate);
   stage.phase = Phase::pressing;

@@ -30,8 +30,7 @@ std::vector<bool> in_the_way(const PullOut& experiment, const RibTransfer& geogr
   const dem::Clumps& clumps = experiment.world().engine.clumps();
   std::vector<bool> result(clumps.size());
   for (int i = 0; i < clumps.size(); ++i) {
-    const double reach =
-        clumps.bounding_radius(i) + experiment.parameters().geogrid.rib_width;
+    const double reach = clumps.bounding_radius(i) + experiment.parameters().geogrid.rib_width;
     const bool near = std::abs(clumps.position[i].z() - experiment.geogrid_height()) <= reach;
     result[i] = near && overlaps(clumps, i, geogrid.ribs());
   }

@@ -1,4 +1,5 @@
-// The numbers of the protocol of a pull-out test that are nobody's parameters, each with its reason.
+// The numbers of the protocol of a pull-out test that are nobody's parameters, each with its
+// reason.
 #pragma once
 
 namespace interlock::coupling::protocol

@@ -92,9 +92,9 @@ void PullOut::prepare(const Monitor& monitor, const std::vector<CaseEntry>& entr
   world_.clock.set_step(choose_time_step(parameters_.time, stable));
   walls = build_box(world_.engine, parameters_.box, stone_on_box_);
   world_.engine.set_local_damping(parameters_.filling.local_damping);
-  preparation_ = fmt::format("{} stones of {} spheres on average, mean size {:.1f} mm; {}", n_shapes,
-                             spheres / n_shapes, 1e3 * mean_size,
-                             time_step_budget(world_.clock.dt, stable));
+  preparation_ =
+      fmt::format("{} stones of {} spheres on average, mean size {:.1f} mm; {}", n_shapes,
+                  spheres / n_shapes, 1e3 * mean_size, time_step_budget(world_.clock.dt, stable));
   preparation_time_ =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -117,8 +117,8 @@ std::vector<PullOut::Stage> PullOut::plan() const
 void PullOut::append_upper_half(std::vector<Stage>& plan) const
 {
   plan.emplace_back(PlaceStage());
-  plan.emplace_back(FillStage{"fill upper half", parameters_.box.height,
-                              protocol::margin_at_top * mean_size});
+  plan.emplace_back(
+      FillStage{"fill upper half", parameters_.box.height, protocol::margin_at_top * mean_size});
   if (parameters_.surcharge.force > 0) plan.emplace_back(LoadStage());
   plan.emplace_back(SettleStage());
   plan.emplace_back(PullStage());

@@ -29,8 +29,8 @@ class PullOut
 {
 public:
   static constexpr const char* name = "pull-out";
-  using Stage = std::variant<FillStage, FlattenStage, PlaceStage, LoadStage, AdaptStage, SettleStage,
-                             PullStage>;
+  using Stage = std::variant<FillStage, FlattenStage, PlaceStage, LoadStage, AdaptStage,
+                             SettleStage, PullStage>;
 
   // Nothing but the parameters: for reading a state into.
   explicit PullOut(const PullOutParameters& parameters);
@@ -81,8 +81,8 @@ private:
   PullOutParameters parameters_;
   dem::ContactProperties stone_on_stone_, stone_on_box_, stone_on_rib_;
   World world_;
-  std::string preparation_;     // what it made, for the log
-  double preparation_time_ = 0; // wall-clock [s]
+  std::string preparation_;         // what it made, for the log
+  double preparation_time_ = 0;     // wall-clock [s]
   std::optional<StartState> start_; // empty: an empty box
 };
 

@@ -158,9 +158,10 @@ void declare_numerics(ParameterTable& table, PullOutParameters& parameters)
   table.offer("Field frames", parameters.output.field_frames, 50, not_negative,
               "Frames for ParaView during the pull. [-]");
   table.offer("Report", parameters.output.report, true, "Draw the figures at the end of the run.");
-  table.offer("Checkpoint interval", parameters.output.checkpoint_interval, 60, not_negative,
-              "Wall-clock time between two checkpoints, beside those at the ends of stages; 0: only "
-              "those. [s]");
+  table.offer(
+      "Checkpoint interval", parameters.output.checkpoint_interval, 60, not_negative,
+      "Wall-clock time between two checkpoints, beside those at the ends of stages; 0: only "
+      "those. [s]");
 }
 } // namespace
 

@@ -48,15 +48,15 @@ struct LimitParameters {
 };
 
 struct OutputParameters {
-  int records = 0;      // rows of history.csv during the pull [-]
-  int field_frames = 0; // frames for ParaView during the pull [-]
-  bool report = true;   // draw the figures at the end
+  int records = 0;                 // rows of history.csv during the pull [-]
+  int field_frames = 0;            // frames for ParaView during the pull [-]
+  bool report = true;              // draw the figures at the end
   double checkpoint_interval = 60; // of wall-clock time; 0: at the ends of stages only [s]
 };
 
 struct PullOutParameters {
   std::string start_from; // state of another run (start_from.h); empty: an empty box
-  double gravity = 9.81; // along -z [m/s2]
+  double gravity = 9.81;  // along -z [m/s2]
   StoneParameters stones;
   BoxParameters box;
   ContactParameters contact;

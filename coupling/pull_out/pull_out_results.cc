@@ -12,7 +12,8 @@ namespace interlock::coupling
 {
 namespace
 {
-void describe_pull(const PullStage& pull, const PullOut& experiment, nlohmann::ordered_json& results)
+void describe_pull(const PullStage& pull, const PullOut& experiment,
+                   nlohmann::ordered_json& results)
 {
   const World& world = experiment.world();
   // The first record stands for no displacement.
@@ -89,8 +90,9 @@ void PullOut::finish(std::vector<Stage>& plan, RunRecords& records) const
   describe_pull(pull, *this, summary.results);
 
   if (world_.clock.dt > pull.smallest_stable_step)
-    records.warn(fmt::format("The time step of {:.3g} s was above the live stable step of {:.3g} s.",
-                             world_.clock.dt, pull.smallest_stable_step));
+    records.warn(
+        fmt::format("The time step of {:.3g} s was above the live stable step of {:.3g} s.",
+                    world_.clock.dt, pull.smallest_stable_step));
   if (lost > 0)
     records.warn(fmt::format("{} stones fell out of the slot and were taken out.", lost));
   const double pull_error = summary.energy["pull_relative_error"];

@@ -57,7 +57,8 @@ struct LoadStage {
   Settling settling;
 };
 
-// A packed state takes over what is new in this run: contacts, load, slot, time step (start_from.h).
+// A packed state takes over what is new in this run: contacts, load, slot, time step
+// (start_from.h).
 struct AdaptStage {
   static constexpr const char* kind = "adapt";
   bool looked = false;
@@ -79,16 +80,16 @@ struct PullStage {
   double begin = 0;        // [s]
   double displacement = 0; // of the clamp [m]
   int records = 0, frames = 0;
-  double impulse = 0, impulse_time = 0; // of the pull force since the last record [N s], [s]
-  double plate_impulse = 0;             // of the surcharge plate since the begin [N s]
-  std::vector<double> record_displacements;  // [m]
-  std::vector<double> record_forces;         // means between records [N]
-  std::vector<double> filtered_forces;       // means over the last millimetre [N]
-  EnergyLedger ledger_at_begin, ledger;      // at the first and the last record
-  double largest_overlap = 0;                // of all contacts and steps [m]
-  double largest_axial_force = 0;            // of all ribs at the records [N]
-  double largest_stretch = 0;                // the same [-]
-  double smallest_stable_step = 1e300;       // at the records [s]
+  double impulse = 0, impulse_time = 0;     // of the pull force since the last record [N s], [s]
+  double plate_impulse = 0;                 // of the surcharge plate since the begin [N s]
+  std::vector<double> record_displacements; // [m]
+  std::vector<double> record_forces;        // means between records [N]
+  std::vector<double> filtered_forces;      // means over the last millimetre [N]
+  EnergyLedger ledger_at_begin, ledger;     // at the first and the last record
+  double largest_overlap = 0;               // of all contacts and steps [m]
+  double largest_axial_force = 0;           // of all ribs at the records [N]
+  double largest_stretch = 0;               // the same [-]
+  double smallest_stable_step = 1e300;      // at the records [s]
 };
 
 // Each in a file of its own name (fill_stage.cc, ...).
@@ -100,14 +101,10 @@ StageStatus before_step(AdaptStage& stage, PullOut& experiment, RunRecords& reco
 StageStatus before_step(SettleStage& stage, PullOut& experiment, RunRecords& records);
 StageStatus before_step(PullStage& stage, PullOut& experiment, RunRecords& records);
 // Most stages measure nothing while they run.
-template <class Stage> void look(Stage&, PullOut&, RunRecords&)
-{
-}
+template <class Stage> void look(Stage&, PullOut&, RunRecords&) {}
 void look(AdaptStage& stage, PullOut& experiment, RunRecords& records);
 void look(PullStage& stage, PullOut& experiment, RunRecords& records);
-template <class Stage> void after_step(Stage&, PullOut&, RunRecords&)
-{
-}
+template <class Stage> void after_step(Stage&, PullOut&, RunRecords&) {}
 void after_step(FlattenStage& stage, PullOut& experiment, RunRecords& records);
 void after_step(PullStage& stage, PullOut& experiment, RunRecords& records);
 

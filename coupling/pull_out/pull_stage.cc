@@ -30,10 +30,11 @@ void warn_of_rib_at_wall(const PullOut& experiment, RunRecords& records)
   const double distance = experiment.parameters().pull.distance, size = experiment.mean_size;
   const double left = g.pitch_along - g.overhang - g.rib_width - distance;
   if (g.apertures_along > 1 && left < 0.5 * size)
-    records.warn(fmt::format("The pull brings the second transverse rib to {:.1f} mm from the front "
-                             "wall, less than half a stone of {:.1f} mm: stones caught there raise "
-                             "the force.",
-                             1e3 * left, 1e3 * size));
+    records.warn(
+        fmt::format("The pull brings the second transverse rib to {:.1f} mm from the front "
+                    "wall, less than half a stone of {:.1f} mm: stones caught there raise "
+                    "the force.",
+                    1e3 * left, 1e3 * size));
 }
 
 double speed_after(double elapsed, const PullParameters& p)
@@ -72,13 +73,13 @@ void record(PullStage& stage, PullOut& experiment, RunRecords& records)
   stage.ledger = world.ledger();
   if (stage.records == 0) stage.ledger_at_begin = stage.ledger;
   // The first record has no step behind it: the clamp's force of the settling.
-  const double force = stage.impulse_time > 0 ? stage.impulse / stage.impulse_time
-                                              : -world.ribs.clamp_force().x();
+  const double force =
+      stage.impulse_time > 0 ? stage.impulse / stage.impulse_time : -world.ribs.clamp_force().x();
   stage.impulse = stage.impulse_time = 0;
   stage.record_displacements.push_back(stage.displacement);
   stage.record_forces.push_back(force);
-  stage.filtered_forces.push_back(mean_over_window(stage.record_displacements, stage.record_forces,
-                                                   protocol::filter_length));
+  stage.filtered_forces.push_back(
+      mean_over_window(stage.record_displacements, stage.record_forces, protocol::filter_length));
   const dem::StableStep live = world.engine.stable_step(&world.ribs.rib_contacts());
   if (live.step > 0) stage.smallest_stable_step = std::min(stage.smallest_stable_step, live.step);
   const double axial = largest_axial_force(world.geogrid()->dynamics());

@@ -17,9 +17,8 @@ namespace
 {
 // What made the stones and the lower half.
 const std::vector<std::string> fixed_always = {
-    "Experiment", "Gravity",      "Stones/",           "Box/Length",
-    "Box/Width",  "Box/Height",   "Filling/Seed",      "Geogrid/Placement",
-    "Geogrid/Rib thickness"};
+    "Experiment", "Gravity",      "Stones/",           "Box/Length",           "Box/Width",
+    "Box/Height", "Filling/Seed", "Geogrid/Placement", "Geogrid/Rib thickness"};
 // And what the stones lie around.
 const std::vector<std::string> fixed_by_geogrid = {
     "Geogrid/Apertures along", "Geogrid/Apertures across", "Geogrid/Overhang",
@@ -30,7 +29,7 @@ const std::vector<std::string> without_effect_before_pull = {"Start from", "Pull
                                                              "Limits/", "Geogrid/Break strain"};
 // What matters from the placing of the geogrid on only.
 const std::vector<std::string> without_effect_before_geogrid = {
-    "Start from", "Pull/",     "Output/",         "Limits/",
+    "Start from", "Pull/",      "Output/",         "Limits/",
     "Geogrid/",   "Surcharge/", "Box/Slot height", "Filling/"};
 
 bool any_outside(const std::vector<std::string>& keys, const std::vector<std::string>& list)
@@ -81,15 +80,14 @@ void PullOut::start_from(const std::filesystem::path& file, const std::vector<Ca
   const std::vector<std::string> changed = changed_entries(kept, entries);
   start.adapts = any_outside(changed, start.geogrid_is_placed ? without_effect_before_pull
                                                               : without_effect_before_geogrid);
-  start.reloads = std::any_of(changed.begin(), changed.end(), [](const std::string& key) {
-    return is_among(key, {"Surcharge/"});
-  });
+  start.reloads = std::any_of(changed.begin(), changed.end(),
+                              [](const std::string& key) { return is_among(key, {"Surcharge/"}); });
   if (!results.empty()) start.results = nlohmann::ordered_json::parse(results);
   archive("state", *this);
   start_ = std::move(start);
-  preparation_ = fmt::format("{} stones at t = {:.4g} s from {}{}", world_.engine.clumps().size(),
-                             world_.clock.time(), file.string(),
-                             start_->adapts ? ", with other entries" : "");
+  preparation_ =
+      fmt::format("{} stones at t = {:.4g} s from {}{}", world_.engine.clumps().size(),
+                  world_.clock.time(), file.string(), start_->adapts ? ", with other entries" : "");
   preparation_time_ =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -108,7 +106,8 @@ std::vector<PullOut::Stage> PullOut::plan_from_state() const
   return plan;
 }
 
-// Contacts and walls of this case; a load that is another one goes, a new one is a stage of its own.
+// Contacts and walls of this case; a load that is another one goes, a new one is a stage of its
+// own.
 void PullOut::adapt()
 {
   dem::Engine& engine = world_.engine;

@@ -23,11 +23,10 @@ std::map<std::string, std::string> by_key(const std::vector<CaseEntry>& entries)
 
 bool is_among(const std::string& key, const std::vector<std::string>& keys_and_sections)
 {
-  return std::any_of(keys_and_sections.begin(), keys_and_sections.end(),
-                     [&](const std::string& entry) {
-                       return entry == key || (entry.back() == '/' &&
-                                               key.compare(0, entry.size(), entry) == 0);
-                     });
+  return std::any_of(
+      keys_and_sections.begin(), keys_and_sections.end(), [&](const std::string& entry) {
+        return entry == key || (entry.back() == '/' && key.compare(0, entry.size(), entry) == 0);
+      });
 }
 
 Checkpoints::Checkpoints(std::filesystem::path folder, double interval, std::string program_version)
@@ -72,8 +71,7 @@ bool has_checkpoint(const std::filesystem::path& folder)
 {
   std::error_code error;
   const std::filesystem::path file = folder / "checkpoint.h5";
-  return std::filesystem::exists(file, error) ||
-         std::filesystem::exists(previous_of(file), error);
+  return std::filesystem::exists(file, error) || std::filesystem::exists(previous_of(file), error);
 }
 
 std::vector<std::string> changed_entries(const std::vector<CaseEntry>& kept,
@@ -102,8 +100,8 @@ void require_same_case(const std::string& what, const std::vector<CaseEntry>& ke
   std::vector<std::string> differences;
   for (const std::string& key : changed_entries(kept, now))
     if (!may_change(key))
-      differences.push_back(fmt::format("{} was {} and is {} now", key, value(before, key),
-                                        value(after, key)));
+      differences.push_back(
+          fmt::format("{} was {} and is {} now", key, value(before, key), value(after, key)));
   if (differences.empty()) return;
   throw InputError(fmt::format("{} was made with other entries, which cannot change any more: {}.",
                                what, boost::algorithm::join(differences, "; ")));

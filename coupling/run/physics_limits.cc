@@ -27,9 +27,10 @@ void check_stones(const World& world, const PhysicsLimits& limits)
     const Vector3 x = clumps.position[i], v = clumps.velocity[i], l = clumps.angular_momentum[i];
     if (!x.allFinite() || !v.allFinite() || !l.allFinite() ||
         !clumps.orientation[i].coeffs().allFinite())
-      throw RunFailure(fmt::format("The simulation became unstable {}: the motion of stone {} is not "
-                                   "a number; lower Time/Safety factor.",
-                                   when(world), clumps.id[i]));
+      throw RunFailure(
+          fmt::format("The simulation became unstable {}: the motion of stone {} is not "
+                      "a number; lower Time/Safety factor.",
+                      when(world), clumps.id[i]));
     if (limits.region.exteriorDistance(x) > clumps.bounding_radius(i))
       throw RunFailure(fmt::format(
           "Stone {} is outside the box {}, at {}, with {:.3g} m/s: it was pushed through a wall; "
@@ -71,14 +72,15 @@ void check_geogrid(const World& world, const PhysicsLimits& limits)
   const fem::ExplicitDynamics& dynamics = world.geogrid()->dynamics();
   for (int node = 0; node < dynamics.lattice().n_nodes(); ++node)
     if (!dynamics.position(node).allFinite() || !dynamics.velocity(node).allFinite())
-      throw RunFailure(fmt::format("The simulation became unstable {}: the motion of node {} of the "
-                                   "geogrid is not a number; lower Time/Safety factor.",
-                                   when(world), node));
+      throw RunFailure(
+          fmt::format("The simulation became unstable {}: the motion of node {} of the "
+                      "geogrid is not a number; lower Time/Safety factor.",
+                      when(world), node));
   if (limits.break_strain <= 0 || world.geogrid()->rigid()) return;
   const Stretch stretch = largest_stretch(world);
   if (stretch.strain <= limits.break_strain) return;
-  const Vector3 x = 0.5 * (dynamics.end_position(stretch.element, 0) +
-                           dynamics.end_position(stretch.element, 1));
+  const Vector3 x =
+      0.5 * (dynamics.end_position(stretch.element, 0) + dynamics.end_position(stretch.element, 1));
   throw RunFailure(fmt::format("A rib breaks {}: element {} at {} is stretched by {:.3g} %, above "
                                "Geogrid/Break strain of {:.3g} %. What was pulled up to here is in "
                                "history.csv.",
@@ -90,10 +92,11 @@ void check_step(const World& world)
 {
   const dem::StableStep live = world.engine.stable_step(&world.ribs.rib_contacts());
   if (live.step == 0 || world.clock.dt <= live.step) return;
-  throw RunFailure(fmt::format("The time step of {:.3g} us is above the live stable step of {:.3g} us "
-                               "{}: stone {} of {:.3g} g has {} contacts; lower Time/Safety factor.",
-                               1e6 * world.clock.dt, 1e6 * live.step, when(world), live.clump_id,
-                               1e3 * live.mass, live.contacts));
+  throw RunFailure(
+      fmt::format("The time step of {:.3g} us is above the live stable step of {:.3g} us "
+                  "{}: stone {} of {:.3g} g has {} contacts; lower Time/Safety factor.",
+                  1e6 * world.clock.dt, 1e6 * live.step, when(world), live.clump_id,
+                  1e3 * live.mass, live.contacts));
 }
 } // namespace
 

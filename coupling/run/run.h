@@ -109,8 +109,8 @@ private:
     if (!records_.in_stage())
       records_.begin_stage(std::visit([](const auto& s) { return stage_name(s); }, stage),
                            world().clock);
-    const StageStatus status = std::visit(
-        [&](auto& s) { return before_step(s, experiment_, records_); }, stage);
+    const StageStatus status =
+        std::visit([&](auto& s) { return before_step(s, experiment_, records_); }, stage);
     if (status.finished) {
       end_stage(status.result);
       return;
@@ -141,7 +141,8 @@ private:
   // Stages that other runs may start at leave the state before them behind.
   void keep_start_state(const StateTree& tree) const
   {
-    const std::string name = std::visit([](const auto& s) { return start_state(s); }, plan_[stage_]);
+    const std::string name =
+        std::visit([](const auto& s) { return start_state(s); }, plan_[stage_]);
     if (!name.empty()) checkpoints_.write_as(name, tree);
   }
 

@@ -86,8 +86,8 @@ private:
 
   bool in_stage_ = false;
   std::int64_t stage_begin_step_ = 0;
-  double stage_begin_time_ = 0;                                  // [s]
-  double wall_time_before_ = 0, stage_wall_time_before_ = 0;     // of earlier processes [s]
+  double stage_begin_time_ = 0;                              // [s]
+  double wall_time_before_ = 0, stage_wall_time_before_ = 0; // of earlier processes [s]
   Clock::time_point clock_start_ = Clock::now(), stage_clock_start_ = clock_start_;
 };
 

@@ -18,7 +18,8 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// HDF5 looks for its own beginning at 0, 512, 1024, ..., so a block of 512 bytes may stand in front.
+// HDF5 looks for its own beginning at 0, 512, 1024, ..., so a block of 512 bytes may stand in
+// front.
 constexpr std::size_t block_size = 512;
 const std::string magic = "Interlock state\n";
 
@@ -31,9 +32,9 @@ std::string checksum(const char* bytes, std::size_t size)
 // Text, filled up with blanks; its last line is the checksum of the lines before.
 std::string block_for(const std::string& data, const std::string& version)
 {
-  std::string text = magic + fmt::format("format {}\nprogram {}\nbytes {}\nxxh3-128 {}\n",
-                                         state_format, version, data.size(),
-                                         checksum(data.data(), data.size()));
+  std::string text =
+      magic + fmt::format("format {}\nprogram {}\nbytes {}\nxxh3-128 {}\n", state_format, version,
+                          data.size(), checksum(data.data(), data.size()));
   constexpr std::size_t closing = 32 + 1; // checksum and line feed
   text.resize(block_size - closing, ' ');
   return text + checksum(text.data(), text.size()) + '\n';
@@ -43,8 +44,8 @@ std::string image_of(const StateTree& state)
 {
   Hdf5Memory file;
   for (const auto& [path, array] : state)
-    std::visit([&, &name = path, &columns = array.columns,
-                &unit = array.unit](const auto& values) { file.write(name, values, columns, unit); },
+    std::visit([&, &name = path, &columns = array.columns, &unit = array.unit](
+                   const auto& values) { file.write(name, values, columns, unit); },
                array.values);
   return file.bytes();
 }
@@ -152,7 +153,8 @@ StateTree read_state(const fs::path& file)
     const fs::path before = previous_of(file);
     std::string sentence = "The state \"" + file.string() + "\" " + fault;
     if (is_good(before))
-      sentence += "; the one before, \"" + before.string() + "\", is good: rename it to go on from it";
+      sentence +=
+          "; the one before, \"" + before.string() + "\", is good: rename it to go on from it";
     throw InputError(sentence + ".");
   }
   return tree_of(bytes.substr(block_size));

@@ -17,8 +17,8 @@ constexpr int state_format = 1;
 std::filesystem::path previous_of(const std::filesystem::path& file);
 
 // Writes `file` under a temporary name, makes sure that it is on the disk, and renames it. Throws
-// std::runtime_error, one sentence with the reason, when the disk is full or the folder is gone; the
-// old file is untouched then, and no temporary one is left.
+// std::runtime_error, one sentence with the reason, when the disk is full or the folder is gone;
+// the old file is untouched then, and no temporary one is left.
 void write_state(const std::filesystem::path& file, const StateTree& state,
                  const std::string& program_version);
 
@@ -27,9 +27,9 @@ void write_state(const std::filesystem::path& file, const StateTree& state,
 void write_checkpoint(const std::filesystem::path& file, const StateTree& state,
                       const std::string& program_version);
 
-// Reads what either has written. Throws InputError, one sentence that names the file, when it is not
-// there, cut off, no state of this program, of another format, or when any bit of it has changed: the
-// checksum is looked at before anything else. Where previous_of(file) is good, the sentence ends
-// with its name.
+// Reads what either has written. Throws InputError, one sentence that names the file, when it is
+// not there, cut off, no state of this program, of another format, or when any bit of it has
+// changed: the checksum is looked at before anything else. Where previous_of(file) is good, the
+// sentence ends with its name.
 StateTree read_state(const std::filesystem::path& file);
 } // namespace interlock::coupling

@@ -61,7 +61,10 @@ template <> struct FieldValue<Eigen::Quaterniond> {
   static constexpr bool known = true;
   static constexpr int columns = 4;
   using Number = double;
-  static void put(const Eigen::Quaterniond& q, Number* to) { std::copy_n(q.coeffs().data(), 4, to); }
+  static void put(const Eigen::Quaterniond& q, Number* to)
+  {
+    std::copy_n(q.coeffs().data(), 4, to);
+  }
   static void get(Eigen::Quaterniond& q, const Number* from)
   {
     std::copy_n(from, 4, q.coeffs().data());

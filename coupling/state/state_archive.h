@@ -113,8 +113,7 @@ private:
   {
     using Value = detail::FieldValue<T>;
     StateArray& array = tree[path];
-    if (array.size() == 0)
-      array = {std::vector<typename Value::Number>(), Value::columns, unit};
+    if (array.size() == 0) array = {std::vector<typename Value::Number>(), Value::columns, unit};
     auto& numbers = std::get<std::vector<typename Value::Number>>(array.values);
     numbers.resize(numbers.size() + Value::columns);
     Value::put(value, &numbers[numbers.size() - Value::columns]);
@@ -182,7 +181,8 @@ public:
   {
     for (const auto& entry : tree_)
       if (entry.first.compare(0, prefix_.size(), prefix_) == 0 && used_->count(entry.first) == 0)
-        throw InputError("The state holds \"" + entry.first + "\", which this version does not know.");
+        throw InputError("The state holds \"" + entry.first +
+                         "\", which this version does not know.");
   }
 
 private:

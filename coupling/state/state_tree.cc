@@ -53,7 +53,8 @@ std::optional<std::string> difference(const std::string& path, const std::vector
                                       const std::vector<T>& b, int columns)
 {
   if (a.size() != b.size())
-    return fmt::format("{} has {} values on one side and {} on the other.", path, a.size(), b.size());
+    return fmt::format("{} has {} values on one side and {} on the other.", path, a.size(),
+                       b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
     if (!same(a[k], b[k]))
       return fmt::format("{}, row {}, column {}: {} on one side and {} on the other.", path,

@@ -25,8 +25,8 @@ void open_slot(dem::Engine& engine, const BoxParameters& box, const dem::Contact
   engine.remove_walls(closed);
   const Vector3 y(0, box.width, 0);
   const double bottom = height - 0.5 * box.slot_height, top = height + 0.5 * box.slot_height;
-  walls.front = engine.add_wall(dem::rectangle_wall("front below slot", Vector3::Zero(), y,
-                                                    Vector3(0, 0, bottom), contact));
+  walls.front = engine.add_wall(
+      dem::rectangle_wall("front below slot", Vector3::Zero(), y, Vector3(0, 0, bottom), contact));
   walls.above_slot = engine.add_wall(dem::rectangle_wall(
       "front above slot", Vector3(0, 0, top), y, Vector3(0, 0, hopper_height - top), contact));
 }

@@ -9,8 +9,8 @@ namespace interlock::coupling
 {
 struct BoxWalls {
   dem::WallId floor = -1, back = -1, right = -1, left = -1;
-  dem::WallId front = -1;       // below the slot, once that is open
-  dem::WallId above_slot = -1;  // -1: there is no slot yet
+  dem::WallId front = -1;      // below the slot, once that is open
+  dem::WallId above_slot = -1; // -1: there is no slot yet
 };
 template <class Archive> void exchange(Archive& archive, BoxWalls& walls)
 {

@@ -16,7 +16,8 @@ struct Pouring {
 };
 
 // Puts stones of at least `mass` [kg] above everything that is in the box, at rest, each as low as
-// its bounding ball fits: nothing overlaps. Returns the time that the highest one needs to fall [s].
+// its bounding ball fits: nothing overlaps. Returns the time that the highest one needs to fall
+// [s].
 //
 // What a stone is like follows from the seed and its id alone: its shape (stones come in batches
 // that hold every shape once, in random order), its attitude, and the places in plan that it tries.

@@ -133,7 +133,8 @@ void Clumps::validate() const
     require(Vector3(position[i]).allFinite() && Vector3(velocity[i]).allFinite() &&
                 Vector3(angular_momentum[i]).allFinite(),
             who + " has a motion that is not finite");
-    require(std::abs(orientation[i].norm() - 1) < 1e-6, who + " has an attitude that is no rotation");
+    require(std::abs(orientation[i].norm() - 1) < 1e-6,
+            who + " has an attitude that is no rotation");
   }
 }
 

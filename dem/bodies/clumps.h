@@ -22,8 +22,8 @@ class Clumps
 public:
   explicit Clumps(std::vector<ClumpShape> shapes);
 
-  // Adds a stone at rest and returns its index. `density` in kg/m3. Its id is next_id(), and is kept
-  // for life: ids ascend with the index, and indices shift when clumps are removed.
+  // Adds a stone at rest and returns its index. `density` in kg/m3. Its id is next_id(), and is
+  // kept for life: ids ascend with the index, and indices shift when clumps are removed.
   int add(int shape, double density, const Vector3& position, const Quaternion& orientation);
   std::int64_t next_id() const { return next_id_; }
   int index_of(std::int64_t id) const; // -1: there is none

@@ -1,6 +1,6 @@
 // What contacts remember from step to step, keyed by the ids of the bodies: how histories are kept
-// in a checkpoint and how they will travel with a clump. Only contacts that hold something are in it;
-// all others start from zero.
+// in a checkpoint and how they will travel with a clump. Only contacts that hold something are in
+// it; all others start from zero.
 #pragma once
 
 #include "dem/contacts/contact_law.h"
@@ -69,7 +69,9 @@ struct RibMemory {
   double xi = 0;
 };
 
-// Of all contacts of an engine. Each list is sorted by its ids and numbers, as declared.
+// Of all contacts of an engine. Pairs are sorted by (first, second, a, b), walls by (wall, clump,
+// a), meshes by (clump, wall, a) and then as the engine found them, rolling by (kind, first,
+// second, a, b).
 struct ContactMemory {
   std::vector<PairMemory> pairs;
   std::vector<WallMemory> walls;

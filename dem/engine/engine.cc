@@ -84,8 +84,9 @@ WallId Engine::add_wall(const Wall& wall)
 
 std::size_t Engine::wall_index(WallId id) const
 {
-  const auto found = std::lower_bound(walls_.begin(), walls_.end(), id,
-                                      [](const Wall& wall, WallId value) { return wall.id < value; });
+  const auto found =
+      std::lower_bound(walls_.begin(), walls_.end(), id,
+                       [](const Wall& wall, WallId value) { return wall.id < value; });
   if (found == walls_.end() || found->id != id)
     throw std::invalid_argument("There is no wall with the id " + std::to_string(id) + ".");
   return static_cast<std::size_t>(found - walls_.begin());

@@ -159,7 +159,8 @@ public:
   StepProfile profile() const;
   void reset_profile();
 
-  // Everything that the next step needs. Reading goes into an engine that has its walls of triangles.
+  // Everything that the next step needs. Reading goes into an engine that has its walls of
+  // triangles.
   template <class Archive> friend void exchange(Archive& archive, Engine& engine)
   {
     archive("gravity", engine.gravity_, "m/s2");

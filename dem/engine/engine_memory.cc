@@ -11,8 +11,9 @@ namespace
 int index_of(const Clumps& clumps, std::int64_t id)
 {
   const int i = clumps.index_of(id);
-  if (i < 0) throw std::logic_error("A contact belongs to clump " + std::to_string(id) +
-                                    ", which is not there.");
+  if (i < 0)
+    throw std::logic_error("A contact belongs to clump " + std::to_string(id) +
+                           ", which is not there.");
   return i;
 }
 
@@ -88,8 +89,8 @@ void Engine::restore(const ContactMemory& memory)
     int second = static_cast<int>(s.second);
     if (s.kind == 0) second = index_of(clumps_, s.second);
     if (s.kind == 1) second = static_cast<int>(wall_index(s.second));
-    springs.push_back({{s.kind, index_of(clumps_, s.first), second, s.a, s.b}, s.angle, s.dashpot,
-                       s.stiffness});
+    springs.push_back(
+        {{s.kind, index_of(clumps_, s.first), second, s.a, s.b}, s.angle, s.dashpot, s.stiffness});
   }
   rolling_.restore(std::move(springs));
 }

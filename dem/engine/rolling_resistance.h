@@ -58,8 +58,8 @@ public:
   void evaluate(std::vector<RollingContact> contacts, Clumps& clumps, std::vector<MeshWall>& meshes,
                 double time_step, ContactEnergy& energy);
 
-  // After clumps or walls were removed: for every old one the new index, ascending, or -1 (`kind`: 1
-  // walls, 2 walls of triangles, as in the key).
+  // After clumps or walls were removed: for every old one the new index, ascending, or -1 (`kind`:
+  // 1 walls, 2 walls of triangles, as in the key).
   void renumber_clumps(const std::vector<int>& new_index);
   void renumber_walls(int kind, const std::vector<int>& new_index);
 

@@ -44,7 +44,7 @@ void ContactLanes::set_wall(int k, const ContactKey& key, const Clumps& clumps)
 
 LaneMemory ContactLanes::memory(int k) const
 {
-  return {spring[k],  dashpot[k],      force[k],    overlap[k], tangential_stiffness[k],
+  return {spring[k],       dashpot[k], force[k], overlap[k], tangential_stiffness[k],
           shared_depth[k], gradient[k]};
 }
 

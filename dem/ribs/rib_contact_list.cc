@@ -155,8 +155,8 @@ bool RibContacts::may_touch(const RibContact& c, const Clumps& clumps, const std
   const double radius = clumps.shape_of(c.i).spheres[c.a].radius;
   for (int k = c.first; k < c.last; ++k) {
     const int r = candidate_ribs_[k];
-    const double reach = near_steps * time_step * (speed + rib_speed_[r]) +
-                         near_margin * ribs[r].half_thickness;
+    const double reach =
+        near_steps * time_step * (speed + rib_speed_[r]) + near_margin * ribs[r].half_thickness;
     if (clear_of(ribs[r], centre, radius + reach)) continue;
     if (rib_proximity(ribs[r], centre, radius).overlap > -reach) return true;
   }

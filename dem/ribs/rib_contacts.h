@@ -51,12 +51,12 @@ public:
                                          double time_step, VectorField& force, VectorField& torque,
                                          ContactEnergy& energy);
 
-  // The near clumps: those that may touch a rib within the step to come, and the ribs near them: those
-  // with a contact, and those with
+  // The near clumps: those that may touch a rib within the step to come, and the ribs near them:
+  // those with a contact, and those with
   //     gap < 2 time_step (speed of the clump + speed of the rib) + margin,
-  // where speeds bound those of any point, the factor leaves room for kicks within the step, and the
-  // margin, a hundredth of the rib's half thickness, for a light rib that another stone sets off.
-  // This is a function of the present state of one clump and the ribs alone. The list proposes
+  // where speeds bound those of any point, the factor leaves room for kicks within the step, and
+  // the margin, a hundredth of the rib's half thickness, for a light rib that another stone sets
+  // off. This is a function of the present state of one clump and the ribs alone. The list proposes
   // whom to look at and has no say: everybody who may be chosen is in it.
   // update_list chooses them, ascending, and evaluate looks at no others.
   const std::vector<int>& near_clumps() const { return near_clumps_; }

@@ -76,8 +76,8 @@ void MeshContacts::renew_members(const Clumps& clumps, const MeshWall& wall, int
   const std::vector<Sphere>& spheres = clumps.shape_of(i).spheres;
   for (int a = 0; a < static_cast<int>(spheres.size()); ++a) {
     const Vector3 centre = in_wall_frame(wall, clumps.position[i] + clumps.member_offset(i, a));
-    // Twice the skin: contacts are looked for up to a skin beyond the surface (evaluate), so that one
-    // which opens is booked alike whenever the list was made.
+    // Twice the skin: contacts are looked for up to a skin beyond the surface (evaluate), so that
+    // one which opens is booked alike whenever the list was made.
     const double reach = spheres[a].radius + 2 * near.skin;
     const int first = static_cast<int>(near.candidates.size());
     for (const int t : near.triangles)

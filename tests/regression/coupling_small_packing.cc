@@ -32,10 +32,7 @@ protected:
     return p;
   }
 
-  Summary run(const PackingParameters& p) const
-  {
-    return run_case<Packing>(p, folder);
-  }
+  Summary run(const PackingParameters& p) const { return run_case<Packing>(p, folder); }
 
   static double result(const Summary& summary, const char* name)
   {

@@ -1,6 +1,6 @@
-// The example of CONTRIBUTING.md: an experiment of one stage, run, stopped and resumed. Fails when an
-// experiment needs more than its parameters, a stage and a plan, when a ball does not bounce as high
-// as its restitution says, or when a resumed run is not the one that was stopped.
+// The example of CONTRIBUTING.md: an experiment of one stage, run, stopped and resumed. Fails when
+// an experiment needs more than its parameters, a stage and a plan, when a ball does not bounce as
+// high as its restitution says, or when a resumed run is not the one that was stopped.
 #include "coupling/run/run.h"
 #include "tests/temporary_folder.h"
 
@@ -47,10 +47,9 @@ public:
   {
     dem::Engine& engine = world_.engine;
     const int shape = engine.clumps().add_shape(ball());
-    engine.add_wall(dem::rectangle_wall("floor", {-1, -1, 0}, {2, 0, 0}, {0, 2, 0},
-                                        engine.stone_contact()));
-    engine.add_clump(shape, 2650, {0, 0, radius + parameters_.height},
-                     dem::Quaternion::Identity());
+    engine.add_wall(
+        dem::rectangle_wall("floor", {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, engine.stone_contact()));
+    engine.add_clump(shape, 2650, {0, 0, radius + parameters_.height}, dem::Quaternion::Identity());
     world_.clock.set_step(5e-6);
   }
   std::vector<Stage> plan() const { return {FlightStage()}; }
@@ -148,6 +147,7 @@ TEST_F(ExampleExperiment, StopsAndGoesOn)
     const Summary resumed = run(name, true);
     EXPECT_EQ(resumed.state_hash, whole.state_hash) << name;
     EXPECT_EQ(resumed.steps, whole.steps);
-    EXPECT_EQ(file_text(folder / name / "history.csv"), file_text(folder / "whole" / "history.csv"));
+    EXPECT_EQ(file_text(folder / name / "history.csv"),
+              file_text(folder / "whole" / "history.csv"));
   }
 }

@@ -1,5 +1,6 @@
-// What ends a run because it is no simulation of anything any more. Fails when a state that has left
-// a limit is taken for good, a good one is refused, or the sentence lacks time, stone or place.
+// What ends a run because it is no simulation of anything any more. Fails when a state that has
+// left a limit is taken for good, a good one is refused, or the sentence lacks time, stone or
+// place.
 #include "coupling/run/physics_limits.h"
 #include "coupling/run/run_failure.h"
 
