@@ -17,7 +17,8 @@ def cell(row):
     if not row["stated"]:
         return short(row["measured"])
     ratio = float(row["measured"]) / float(row["stated"])
-    return f"{short(row['measured'])} / {short(row['stated'])} ({ratio:.2f})"
+    said = "input" if row.get("stated_is_input") else f"{ratio:.2f}"
+    return f"{short(row['measured'])} / {short(row['stated'])} ({said})"
 
 
 def main():

@@ -114,10 +114,17 @@ void Laboratory::make_lattice()
     return;
   }
   std::map<std::string, fem::GmshSection> sections;
-  for (const fem::GmshFile::Line& line : fem::read_gmsh_file(p.lattice_file).lines) {
-    if (line.group == "along") sections[line.group].profile = product_.ribs_along;
-    if (line.group == "across") sections[line.group].profile = product_.ribs_across;
-  }
+  for (const fem::GmshFile::Line& line : fem::read_gmsh_file(p.lattice_file).lines)
+    if (line.group == "along")
+      sections[line.group].profile = product_.ribs_along;
+    else if (line.group == "across")
+      sections[line.group].profile = product_.ribs_across;
+    else
+      throw InputError(
+          "The lattice file \"" + p.lattice_file + "\" has lines " +
+          (line.group.empty() ? "in no named group" : "in a group \"" + line.group + "\"") +
+          ", but groups of lines must be called \"along\" or \"across\" (physical "
+          "names in Gmsh) and take those ribs of the product.");
   const fem::GmshLattice file =
       fem::read_gmsh_lattice(p.lattice_file, sections, p.lattice_length_unit);
   lattice_ = std::make_unique<fem::Lattice>(file.lines);
@@ -142,9 +149,10 @@ void Laboratory::check_conditions() const
                      std::to_string(free) + ", the number of free freedoms of the lattice.");
 }
 
-std::unique_ptr<fem::StaticSolver> Laboratory::new_solver() const
+std::unique_ptr<fem::StaticSolver> Laboratory::new_solver(bool stable_branch) const
 {
   fem::StaticOptions options;
+  options.stable_branch = stable_branch;
   options.load_steps = 1;
   return std::make_unique<fem::StaticSolver>(*lattice_, options);
 }
@@ -181,9 +189,9 @@ void Laboratory::finish(const std::string& test, const std::vector<std::string>&
 }
 
 void Laboratory::add_row(const std::string& quantity, const std::string& key,
-                         const std::string& unit, double measured, double stated)
+                         const std::string& unit, double measured, double stated, bool is_input)
 {
-  rows_.push_back({quantity, unit, measured, stated});
+  rows_.push_back({quantity, unit, measured, stated, is_input});
   summary_.results[key] = measured;
   if (stated > 0) summary_.results[key + "_stated"] = stated;
 }
@@ -201,14 +209,16 @@ void Laboratory::tension(const std::string& direction, bool single_rib,
   const fem::LaboratoryTest result = test(product, p.largest_strain, p.steps, progress(name));
   finish(name, {"strain [-]", "force_per_width [N/m]"}, result, output);
   const std::string stem = std::string(single_rib ? "single_rib" : "wide_width") + "_force_at_";
-  const auto row = [&](double strain, const std::string& percent, double stated) {
+  const ProductRibsParameters& ribs =
+      along ? parameters_.product.along : parameters_.product.across;
+  const auto row = [&](double strain, const std::string& percent, double stated, double given) {
     if (p.largest_strain < strain * (1 - 1e-9)) return;
     add_row(kind + ", " + direction + ", force at " + percent + " %",
             stem + percent + "_percent_" + direction + "_kN_per_m", "kN/m",
-            1e-3 * fem::load_at(result.path, strain), stated);
+            1e-3 * fem::load_at(result.path, strain), stated, !single_rib && given > 0);
   };
-  row(0.02, "2", along ? sheet.force_2_along : sheet.force_2_across);
-  row(0.05, "5", along ? sheet.force_5_along : sheet.force_5_across);
+  row(0.02, "2", along ? sheet.force_2_along : sheet.force_2_across, ribs.stiffness_2);
+  row(0.05, "5", along ? sheet.force_5_along : sheet.force_5_across, ribs.stiffness_5);
 }
 
 void Laboratory::stability(const std::filesystem::path& output)
@@ -239,23 +249,44 @@ void Laboratory::overhang(const std::string& direction, const std::filesystem::p
           along ? parameters_.data_sheet.flexural_rigidity : 0);
 }
 
+// `load_share`: where the path met an unstable equilibrium for the first time; 0: nowhere.
+void Laboratory::warn_of_instability(const fem::StaticSolver& solver, double load_share)
+{
+  if (load_share == 0) return;
+  const int directions = solver.unstable_directions();
+  const std::string sentence =
+      (directions > 0 ? "The equilibrium found is unstable, with " + std::to_string(directions) +
+                            " negative pivots of the tangent: the ribs buckle away from it; it "
+                            "became so"
+                      : std::string("The path to this equilibrium met an unstable one, so slow "
+                                    "loading may reach another branch; this happened")) +
+      " at " + number(load_share, 3) +
+      " of the loads. More steps (Laboratory/Steps) find the stable branch where a small side load "
+      "leads to it.";
+  summary_.warnings.push_back(sentence);
+  if (monitor_.message) monitor_.message("warning: " + sentence);
+}
+
 void Laboratory::loaded(const std::filesystem::path& output)
 {
   const LaboratoryTestParameters& p = parameters_.test;
   fem::LaboratoryTest test;
-  test.solver = new_solver();
+  test.solver = new_solver(true);
   const fem::Lattice& lattice = *lattice_;
   test.path.push_back({});
-  double largest = 0;
+  double largest = 0, unstable_from = 0;
   for (int k = 1; k <= p.steps; ++k) {
     apply(supports_, static_cast<double>(k) / p.steps, sets_, *test.solver);
     apply(loads_, 1. / p.steps, sets_, *test.solver);
     test.solver->solve();
+    if (test.solver->unstable_on_the_way() > 0 && unstable_from == 0)
+      unstable_from = static_cast<double>(k) / p.steps;
     for (int i = 0; i < lattice.n_nodes(); ++i)
       largest = std::max(largest, test.solver->displacement(i).norm());
     test.path.push_back({largest, static_cast<double>(k) / p.steps});
     progress("supports and loads")(static_cast<double>(k) / p.steps);
   }
+  warn_of_instability(*test.solver, unstable_from);
   finish("supports and loads", {"largest_displacement [m]", "load_share [-]"}, test, output);
   add_row("largest displacement", "largest_displacement_m", "m", largest, 0);
   double axial = 0, stretch = 0;
@@ -323,10 +354,11 @@ Summary Laboratory::run(const std::filesystem::path& output)
 void Laboratory::write_table(const std::filesystem::path& file) const
 {
   std::ostringstream out;
-  out << "quantity,unit,measured,stated\n";
+  out << "quantity,unit,measured,stated,stated_is_input\n";
   for (const Row& row : rows_)
     out << '"' << row.quantity << "\"," << row.unit << ',' << number(row.measured, 6) << ','
-        << (row.stated > 0 ? number(row.stated, 6) : "") << '\n';
+        << (row.stated > 0 ? number(row.stated, 6) : "") << ','
+        << (row.is_input && row.stated > 0 ? "yes" : "") << '\n';
   write_atomically(file, out.str());
 }
 
@@ -339,7 +371,8 @@ void Laboratory::print_table() const
     text += "\n  " + padded(row.quantity + " [" + row.unit + "]", 44, false) +
             padded(number(row.measured), 12);
     if (row.stated > 0)
-      text += padded(number(row.stated), 12) + padded(number(row.measured / row.stated, 3), 8);
+      text += padded(number(row.stated), 12) +
+              padded(row.is_input ? "input" : number(row.measured / row.stated, 3), 8);
   }
   if (!parameters_.data_sheet.source.empty())
     text += "\n  data sheet: " + parameters_.data_sheet.source;

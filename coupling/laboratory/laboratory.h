@@ -36,11 +36,14 @@ private:
   struct Row {
     std::string quantity, unit;
     double measured = 0, stated = 0; // stated 0: not stated
+    bool is_input = false;           // the ribs were given so that the two are equal
   };
 
   void make_lattice();
   void check_conditions() const;
-  std::unique_ptr<fem::StaticSolver> new_solver() const; // of the lattice below, without supports
+  // Of the lattice below, without supports.
+  std::unique_ptr<fem::StaticSolver> new_solver(bool stable_branch = false) const;
+  void warn_of_instability(const fem::StaticSolver& solver, double load_share);
   fem::LaboratoryProgress progress(const std::string& stage) const;
   void finish(const std::string& test, const std::vector<std::string>& columns,
               const fem::LaboratoryTest& result, const std::filesystem::path& output);
@@ -50,7 +53,7 @@ private:
   void loaded(const std::filesystem::path& output);
   void modes(const std::filesystem::path& output);
   void add_row(const std::string& quantity, const std::string& key, const std::string& unit,
-               double measured, double stated);
+               double measured, double stated, bool is_input = false);
   void write_table(const std::filesystem::path& file) const;
   void print_table() const;
 

@@ -1,5 +1,7 @@
 #include "fem/implicit/eigenvalues.h"
 
+#include "fem/statics/negative_pivots.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -45,27 +47,11 @@ EpsOwner shift_and_invert(Mat stiffness, Mat mass, int count, double shift)
 // Number of eigenvalues below `limit`.
 int count_below(Mat stiffness, Mat mass, double limit)
 {
-  Mat shifted = nullptr, factor = nullptr;
+  Mat shifted = nullptr;
   check(MatDuplicate(stiffness, MAT_COPY_VALUES, &shifted));
   const MatOwner shifted_owner(shifted);
   check(MatAXPY(shifted, -limit, mass, SAME_NONZERO_PATTERN));
-  check(MatSetOption(shifted, MAT_SYMMETRIC, PETSC_TRUE));
-  KSP ksp = nullptr;
-  PC pc = nullptr;
-  check(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(stiffness)), &ksp));
-  const KspOwner ksp_owner(ksp);
-  use_direct_solver(ksp);
-  check(KSPSetOperators(ksp, shifted, shifted));
-  check(KSPGetPC(ksp, &pc));
-  check(PCSetType(pc, PCCHOLESKY)); // L D L^T, any signs
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-  check(PCFactorSetUpMatSolverType(pc));
-  check(PCFactorGetMatrix(pc, &factor));
-  check(MatMumpsSetIcntl(factor, 13, 1)); // pivots of the root counted too, on several processes
-  check(KSPSetUp(ksp));
-  PetscInt negative = 0;
-  check(MatGetInertia(factor, &negative, nullptr, nullptr));
-  return static_cast<int>(negative);
+  return negative_pivots(shifted);
 }
 } // namespace
 

@@ -9,7 +9,6 @@
 
 namespace interlock::fem
 {
-using MatOwner = std::unique_ptr<Mat, PetscDeleter<Mat, MatDestroy>>;
 using EpsOwner = std::unique_ptr<EPS, PetscDeleter<EPS, EPSDestroy>>;
 
 // K u = lambda M u with M positive definite, both with the same sparsity and the same rows on each

@@ -152,8 +152,10 @@ std::vector<NaturalMode> natural_modes(const StaticState& state, int count, bool
 
   ShapeReader reader(state.lattice, system, k.get());
   std::vector<NaturalMode> modes;
+  const double rounding = 1e-6 * std::abs(shift(state));
   for (int i = 0; i < count; ++i) {
-    const double square = lowest.values()[i]; // (2 pi f)^2
+    double square = lowest.values()[i];          // (2 pi f)^2
+    if (std::abs(square) < rounding) square = 0; // a rigid motion
     lowest.vector(i, reader.vector());
     modes.push_back(
         {std::copysign(std::sqrt(std::abs(square)), square) / (2 * M_PI), reader.shape()});

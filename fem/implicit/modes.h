@@ -13,7 +13,8 @@ namespace interlock::fem
 {
 struct NaturalMode {
   // [Hz]; minus the growth rate over 2 pi where the equilibrium is unstable. Rigid motions of an
-  // unsupported lattice come out as zero to rounding, of either sign.
+  // unsupported lattice have zero: whatever is below a thousandth of the bending frequency of a
+  // beam as long as the lattice.
   double frequency = 0;
   // Displacement [m] and rotation vector [rad] of each node, world frame; the modal mass
   // sum of m |u|^2 + rotation . J rotation is 1 kg m2.

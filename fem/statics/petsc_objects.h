@@ -19,6 +19,7 @@ template <class Handle, PetscErrorCode (*destroy)(Handle*)> struct PetscDeleter 
   void operator()(Handle handle) const { destroy(&handle); }
 };
 using SnesOwner = std::unique_ptr<SNES, PetscDeleter<SNES, SNESDestroy>>;
+using MatOwner = std::unique_ptr<Mat, PetscDeleter<Mat, MatDestroy>>;
 using KspOwner = std::unique_ptr<KSP, PetscDeleter<KSP, KSPDestroy>>;
 using VecOwner = std::unique_ptr<Vec, PetscDeleter<Vec, VecDestroy>>;
 using ScatterOwner = std::unique_ptr<VecScatter, PetscDeleter<VecScatter, VecScatterDestroy>>;

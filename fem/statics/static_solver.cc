@@ -3,10 +3,12 @@
 #include "fem/beam/beam_tangent.h"
 #include "fem/statics/arc_length.h"
 #include "fem/statics/load_step.h"
+#include "fem/statics/negative_pivots.h"
 #include "fem/statics/static_elements.h"
 
 #include <petscsys.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -58,6 +60,19 @@ Ramp ramp(const StaticState& state, double share, double part)
   }
   return now;
 }
+
+// Largest angle by which a node turns between two states [rad].
+double largest_turn(const StaticState& from, const StaticState& to)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < from.orientation.size(); ++i)
+    largest = std::max(largest, from.orientation[i].angularDistance(to.orientation[i]));
+  return largest;
+}
+
+// On the stable branch a step turns no node by more: Newton's method may reach any branch from
+// afar, the mirror image of a buckled rib as well as the rib itself [rad].
+constexpr double longest_turn = 0.5;
 
 // A load step that does not converge is halved, up to six times.
 constexpr int finest = 64;
@@ -135,11 +150,23 @@ int StaticSolver::solve()
             refusal(outcome, static_cast<double>(done) / finest, options_.load_steps));
       continue;
     }
+    const StaticState before = options_.stable_branch ? state_ : start;
     state_.advance(step.solution());
     state_.commit_plastic_stretch(options_.rbf);
     state_.reached_loads = now.loads;
     for (std::size_t s = 0; s < now.supports.size(); ++s)
       if (now.supports[s].component >= 3) state_.supports[s].reached += now.supports[s].value;
+    if (options_.stable_branch) {
+      const int unstable = fem::unstable_directions(system, state_);
+      const bool doubtful = unstable > 0 || largest_turn(before, state_) > longest_turn;
+      if (doubtful && unstable_ == 0 && stride > 1) {
+        state_ = before;
+        stride /= 2;
+        continue;
+      }
+      unstable_ = unstable;
+      unstable_on_the_way_ = std::max(unstable_on_the_way_, unstable);
+    }
     done += stride;
     if (stride < finest && done % (2 * stride) == 0) stride *= 2;
   }

@@ -51,6 +51,12 @@ public:
   // added since; supports stay where they are. Throws as `solve`, and when the path cannot be
   // followed further; the state is that of the last point.
   std::vector<PathPoint> trace_path(const ArcLengthOptions& arc_length);
+  // Directions in which the equilibrium of the last load step is unstable, such as that of a rib
+  // above its buckling load that stays straight; and the largest number on the way. Counted with
+  // the option `stable_branch` only. Where a step as short as a 64th still leads to an unstable
+  // equilibrium, the path goes on from there: it may jump to another branch.
+  int unstable_directions() const { return unstable_; }
+  int unstable_on_the_way() const { return unstable_on_the_way_; }
   int factorisations() const { return factorisations_; } // made by all calls of `solve`
 
   const Lattice& lattice() const { return state_.lattice; }
@@ -74,5 +80,6 @@ private:
   StaticState state_;
   StaticOptions options_;
   int factorisations_ = 0;
+  int unstable_ = 0, unstable_on_the_way_ = 0;
 };
 } // namespace interlock::fem
