@@ -143,8 +143,9 @@ void make_many(const ClumpFiles& files, const ClumpOptions& options,
   throw_refusals(clumps.refusals, files.stones.size());
 }
 
-void make(const ClumpOptions& options)
+void make(ClumpOptions& options)
 {
+  take_stones_from_formats(options.files);
   if (!options.table.empty()) return print_published_table(options.table);
   if (options.files.stones.empty())
     throw InputError("No stone is given: interlock clump STONE... (--help).");

@@ -1,29 +1,40 @@
 #include "apps/clump_options.h"
 
 #include "apps/seed_option.h"
+#include "coupling/parameters/usual_ranges.h"
 #include "dem/input_error.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <sstream>
 
 namespace interlock::apps
 {
 namespace
 {
-// Of rocks and metals; keeps g/cm3 and slips of the keyboard out [kg/m3].
-constexpr double smallest_density = 100, largest_density = 30000;
+// Asks about values in what is most likely another unit; 0 stands for `none`.
+void check_usual(const ClumpOptions& options, const char* option, double value, const char* unit)
+{
+  const std::string why = coupling::why_unusual(option, value, unit);
+  if (!why.empty() && !options.unusual)
+    throw InputError(
+        fmt::format("The option {} is {:g} {}, {}. With --unusual it is taken as it is.", option,
+                    value, unit, why));
+}
 
 void check_density(const ClumpOptions& options)
 {
   for (const std::string& format : options.files.formats) dem::clump_format(format); // throws
   if (!options.density && !options.files.formats.empty())
     throw InputError("Other codes need masses: give --density in kg/m3 with --format.");
-  if (!options.density ||
-      (*options.density >= smallest_density && *options.density <= largest_density))
-    return;
-  std::ostringstream text;
-  text << "The option --density is " << *options.density << " kg/m3, but must be "
-       << smallest_density << " to " << largest_density << " kg/m3.";
-  throw InputError(text.str());
+  if (!options.density) return;
+  if (!(*options.density > 0) || std::isinf(*options.density))
+    throw InputError(fmt::format("The option --density is {:g} kg/m3, but must be greater than 0.",
+                                 *options.density));
+  check_usual(options, "--density", *options.density, "kg/m3");
 }
 
 // As it was typed, in per cent.
@@ -44,6 +55,8 @@ dem::ClumpParameters clump_parameters(const ClumpOptions& options)
     if (value < 0)
       throw InputError(std::string("The option ") + name +
                        " is missing or negative, but must be a length of 0 m or more.");
+  check_usual(options, "--d-min", options.d_min, "m");
+  check_usual(options, "--r-min", options.r_min, "m");
   check_density(options);
   check_target("--target-volume-error", options.target_volume_error);
   check_target("--target-inertia-error", options.target_inertia_error);
@@ -57,6 +70,19 @@ dem::ClumpParameters clump_parameters(const ClumpOptions& options)
   dem::check_parameters(parameters);
   dem::length_of_unit(options.unit); // throws
   return parameters;
+}
+
+void take_stones_from_formats(ClumpArguments& files)
+{
+  const auto is_stone = [](const std::string& word) {
+    std::error_code error;
+    return word.find_first_of("./") != std::string::npos || std::filesystem::exists(word, error);
+  };
+  const auto first =
+      std::stable_partition(files.formats.begin(), files.formats.end(),
+                            [&](const std::string& word) { return !is_stone(word); });
+  files.stones.insert(files.stones.end(), first, files.formats.end());
+  files.formats.erase(first, files.formats.end());
 }
 
 dem::StoneFileOptions file_options(const ClumpOptions& options)
@@ -92,7 +118,7 @@ void add_clump_options(CLI::App& command, ClumpOptions& options)
   add_seed_option(command, p.seed, "Seed of the order of the nodes");
   add("--mass-properties", options.scheme, "Centre and inertia: uniform, equal-mass or mesh")
       ->capture_default_str();
-  add("--density", options.density, "Density of the rock, for masses: 100 to 30000 [kg/m3]");
+  add("--density", options.density, "Density of the rock, for masses [kg/m3]");
   add("--unit", options.unit, "Length unit of the stones: m, cm, mm or inch")
       ->capture_default_str();
   command.add_flag("--flip", options.flip, "The stones are inside out: turn them round");
@@ -101,13 +127,14 @@ void add_clump_options(CLI::App& command, ClumpOptions& options)
   add("-o,--output", files.output,
       "Clump file (default: the stone's name with .clump.json, here), or folder for it; folder for "
       "several stones");
-  // One word an option, or it would take the stones behind it too.
+  // Takes the stones behind it, too; take_stones_from_formats gives them back.
   add("--format", files.formats,
       "Also write the clump for other codes, beside the clump file: lammps, liggghts, yade, "
       "mercury, pfc, csv, vtk; needs --density; all but csv and vtk get a name of letters, digits "
       "and _")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+      ->delimiter(',');
+  command.add_flag("--unusual", options.unusual,
+                   "Take values that are far from those of ballast as they are");
   add("--report", files.report,
       "Report file (default: the clump file's name with .report.json; several stones: "
       "clumps.report.json in their folder)");

@@ -16,12 +16,15 @@ struct ClumpOptions {
   std::string scheme = "mesh", radius = "surface", unit = "m", table;
   double d_min = -1, r_min = -1;                            // negative: not given [m]
   double target_volume_error = 0, target_inertia_error = 0; // [%]
-  bool flip = false, accept_crossings = false;
+  bool flip = false, accept_crossings = false, unusual = false;
   std::optional<double> density; // [kg/m3]
   dem::ClumpParameters parameters;
 };
 
 void add_clump_options(CLI::App& command, ClumpOptions& options);
+
+// `--format csv vtk stone.stl`: moves the words that are files or folders to the stones.
+void take_stones_from_formats(ClumpArguments& files);
 
 // In SI units and shares. Throws InputError, in the unit that was typed, when one of them is
 // missing or out of range, the density and the unit of the stones included.

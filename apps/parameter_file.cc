@@ -3,9 +3,12 @@
 #include "apps/nearest_name.h"
 #include "apps/parameter_scanner.h"
 #include "apps/value_error.h"
+#include "coupling/parameters/usual_ranges.h"
 #include "dem/input_error.h"
 
 #include <boost/algorithm/string/join.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -23,6 +26,7 @@ using coupling::ParameterTable;
 const std::vector<std::string> planned_experiments = {"settle"};
 
 constexpr const char* experiment_entry = "Experiment";
+constexpr const char* unusual_entry = "Unusual values";
 
 const ParameterEntry* find_entry(const ParameterTable& table, const std::string& key)
 {
@@ -94,8 +98,29 @@ public:
       const ParameterEntry* entry = find_entry(table, assignment.key());
       if (!entry)
         errors_.push_back(assignment.place + ": " + explain_unknown(table, assignment));
+      else if (cut_by_comment(*entry, assignment))
+        errors_.push_back(fmt::format(
+            "{}: \"{}\" is followed by \"{}\", and # starts a comment; where it belongs to the "
+            "value, write it in double quotes: \"{} {}\".",
+            assignment.place, assignment.value, assignment.comment, assignment.value,
+            assignment.comment));
       else if (!table.set(*entry, resolved(*entry, assignment)))
         add_bad_value(*entry, assignment);
+    }
+  }
+
+  // What is most likely a slip, such as another unit.
+  void find_unusual(const ParameterTable& table)
+  {
+    for (const ParameterEntry& entry : table.entries()) {
+      const std::string value = table.get(entry);
+      if (!coupling::usual_range(entry.key())) continue;
+      const std::string why =
+          coupling::why_unusual(entry.key(), std::strtod(value.c_str(), nullptr), entry.unit);
+      if (!why.empty())
+        add_problem({entry.key(),
+                     fmt::format("It is {} {}, {}. {}", value, entry.unit, why, how_to_insist),
+                     true});
     }
   }
 
@@ -124,12 +149,27 @@ public:
                       problem.entry + "\": " + problem.sentence);
   }
 
+  static constexpr const char* how_to_insist = "With --unusual it is taken as it is.";
+
   void throw_errors() const
   {
     if (!errors_.empty()) throw InputError(boost::algorithm::join(errors_, "\n"));
   }
 
 private:
+  // A name or a path that most likely goes on behind the #: no blank between it and the next word,
+  // or a file of the whole name.
+  static bool cut_by_comment(const ParameterEntry& entry, const Assignment& assignment)
+  {
+    if (assignment.comment.empty() || !(entry.is_path || entry.is_text)) return false;
+    if (assignment.comment.size() > 1 && assignment.comment[1] != ' ' &&
+        assignment.comment[1] != '\t' && assignment.comment[1] != '#')
+      return true;
+    std::error_code error;
+    return entry.is_path &&
+           fs::exists(assignment.base / (assignment.value + " " + assignment.comment), error);
+  }
+
   static std::string in_unit(const ParameterEntry& entry)
   {
     return entry.unit.empty() || entry.unit == "-" ? "" : ", in " + entry.unit;
@@ -148,9 +188,18 @@ private:
   std::vector<std::string> errors_;
 };
 
-void declare_experiment(ParameterTable& table, std::string& name)
+// Entries of every experiment.
+struct CommonParameters {
+  std::string experiment;
+  bool unusual = false;
+};
+
+void declare_common(ParameterTable& table, CommonParameters& common)
 {
-  table.require_choice(experiment_entry, name, experiment_names(), "What to simulate.");
+  table.require_choice(experiment_entry, common.experiment, experiment_names(),
+                       "What to simulate.");
+  table.offer(unusual_entry, common.unusual, false,
+              "Take values that are far from those of ballast and geogrids as they are.");
 }
 
 // The entries that a file may have depend on the experiment: without a good one, no more than that
@@ -167,8 +216,8 @@ const Experiment& choose_experiment(Input& input)
                      "\", which is not available in this version; it runs \"" +
                      boost::algorithm::join(experiment_names(), "\", \"") + "\".");
   ParameterTable table;
-  std::string name;
-  declare_experiment(table, name);
+  CommonParameters common;
+  declare_common(table, common);
   const ParameterEntry& entry = table.entries().front();
   if (assignment)
     input.add_bad_value(entry, *assignment);
@@ -187,15 +236,19 @@ RunInput read_parameter_file(const fs::path& file, const std::vector<std::string
   result.parameters = result.experiment->defaults;
 
   ParameterTable table;
-  std::string name;
-  declare_experiment(table, name);
+  CommonParameters common;
+  declare_common(table, common);
   result.experiment->declare(table, result.parameters);
   input.fill(table);
   input.find_missing(table);
   input.throw_errors();
 
   for (const auto& problem : result.experiment->check(result.parameters))
-    input.add_problem(problem);
+    if (!problem.unusual)
+      input.add_problem(problem);
+    else if (!common.unusual)
+      input.add_problem({problem.entry, problem.sentence + " " + Input::how_to_insist, true});
+  if (!common.unusual) input.find_unusual(table);
   input.throw_errors();
 
   for (const ParameterEntry& entry : table.entries())

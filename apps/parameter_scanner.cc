@@ -1,11 +1,11 @@
 #include "apps/parameter_scanner.h"
 
+#include "apps/text_lines.h"
 #include "dem/input_error.h"
 
 #include <boost/algorithm/string.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 
 namespace interlock::apps
@@ -23,6 +23,27 @@ std::optional<std::string> after(const std::string& keyword, const std::string& 
   return boost::trim_copy(line.substr(keyword.size()));
 }
 
+// A line without its comment, and the comment with its `#`. `#` is an ordinary character between
+// double quotes and behind a backslash.
+std::pair<std::string, std::string> without_comment(const std::string& line)
+{
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    if (line[i] == '#' && !quoted && (i == 0 || line[i - 1] != '\\'))
+      return {line.substr(0, i), line.substr(i)};
+  }
+  return {line, ""};
+}
+
+// A value as it is meant: without the quotes around it, and with # for \#.
+std::string plain_value(std::string value)
+{
+  if (value.size() >= 2 && value.front() == '"' && value.back() == '"')
+    return value.substr(1, value.size() - 2);
+  return boost::replace_all_copy(value, "\\#", "#");
+}
+
 // One file; the files that it includes get a scanner of their own with a longer chain of parents.
 class Scanner
 {
@@ -35,17 +56,24 @@ public:
 
   void scan()
   {
-    std::ifstream stream(file_);
-    if (fs::is_directory(file_) || !stream)
-      throw InputError("The parameter file \"" + file_.string() + "\" cannot be read.");
-    std::string line;
-    while (std::getline(stream, line)) {
-      ++line_number_;
-      line = boost::trim_copy(line.substr(0, line.find('#')));
-      if (!line.empty()) read_line(line);
+    std::string whole, whole_comment; // of a line that goes on behind a backslash
+    for (const std::string& text : read_text_lines(file_)) {
+      ++lines_read_;
+      auto [line, comment] = without_comment(text);
+      boost::trim(line);
+      if (whole.empty()) line_number_ = lines_read_;
+      const bool goes_on = boost::ends_with(line, "\\");
+      if (goes_on) line.pop_back();
+      whole += line;
+      whole_comment += comment;
+      if (goes_on) continue;
+      boost::trim(whole);
+      if (!whole.empty()) read_line(whole, whole_comment);
+      whole.clear();
+      whole_comment.clear();
     }
-    for (const auto& [name, place] : open_)
-      result_.errors.push_back(place + ": the subsection \"" + name + "\" has no \"end\".");
+    if (!whole.empty()) read_line(boost::trim_copy(whole), whole_comment);
+    if (!section_.empty()) never_ends();
   }
 
 private:
@@ -53,33 +81,46 @@ private:
 
   void error(const std::string& sentence) { result_.errors.push_back(place() + ": " + sentence); }
 
-  void read_line(const std::string& line)
+  void never_ends()
+  {
+    result_.errors.push_back(section_place_ + ": the subsection \"" + section_ +
+                             "\" has no \"end\".");
+  }
+
+  void read_line(const std::string& line, const std::string& comment)
   {
     if (const auto assignment = after("set", line))
-      read_assignment(*assignment);
+      read_assignment(*assignment, comment);
     else if (const auto name = after("subsection", line))
-      open_.emplace_back(*name, place());
+      open_section(*name);
     else if (const auto included = after("include", line))
-      include(*included);
-    else if (line == "end" && open_.empty())
+      include(plain_value(*included));
+    else if (line == "end" && section_.empty())
       error("this \"end\" closes no subsection.");
     else if (line == "end")
-      open_.pop_back();
+      section_.clear();
     else
       error("the line \"" + line +
             "\" is none of \"set NAME = VALUE\", \"subsection NAME\", \"end\", \"include FILE\".");
   }
 
-  void read_assignment(const std::string& text)
+  // Sections do not nest: one that is still open has lost its end, and whatever follows is meant
+  // for the next one.
+  void open_section(const std::string& name)
+  {
+    if (!section_.empty()) never_ends();
+    section_ = name;
+    section_place_ = place();
+  }
+
+  void read_assignment(const std::string& text, const std::string& comment)
   {
     const auto equals = text.find('=');
     if (equals == std::string::npos || boost::trim_copy(text.substr(0, equals)).empty())
       return error("\"set " + text + "\" lacks the name, or the \"=\" between name and value.");
-
-    std::vector<std::string> sections;
-    for (const auto& opened : open_) sections.push_back(opened.first);
-    store({boost::join(sections, "/"), boost::trim_copy(text.substr(0, equals)),
-           boost::trim_copy(text.substr(equals + 1)), place(), file_.parent_path(), file_});
+    const std::string value = boost::trim_copy(text.substr(equals + 1));
+    store({section_, boost::trim_copy(text.substr(0, equals)), plain_value(value),
+           boost::starts_with(value, "\"") ? "" : comment, place(), file_.parent_path(), file_});
   }
 
   // Twice in one file is a slip; once here and once in an included file is an override.
@@ -101,9 +142,10 @@ private:
   void include(const std::string& name)
   {
     const fs::path included = file_.parent_path() / name;
-    if (!open_.empty()) return error("\"include\" must stand outside all subsections.");
+    if (!section_.empty()) return error("\"include\" must stand outside all subsections.");
     if (!fs::exists(included))
-      return error("the included file \"" + included.string() + "\" does not exist.");
+      return error("the included file \"" + included.string() +
+                   "\" does not exist; a case that includes another one needs it at that place.");
     if (std::find(chain_.begin(), chain_.end(), fs::weakly_canonical(included)) != chain_.end())
       return error("the file \"" + included.string() + "\" includes itself.");
     Scanner(included, chain_, result_).scan();
@@ -112,8 +154,8 @@ private:
   fs::path file_;
   std::vector<fs::path> chain_; // this file and those that include it, to find circles
   ScannedFile& result_;
-  int line_number_ = 0;
-  std::vector<std::pair<std::string, std::string>> open_; // subsections: name and place
+  int lines_read_ = 0, line_number_ = 0; // the second one: where the present statement began
+  std::string section_, section_place_;  // the open subsection; empty: none
 };
 } // namespace
 
@@ -134,7 +176,7 @@ Assignment parse_override(const std::string& text)
   Assignment assignment;
   assignment.section = slash == std::string::npos ? "" : boost::trim_copy(key.substr(0, slash));
   assignment.name = boost::trim_copy(slash == std::string::npos ? key : key.substr(slash + 1));
-  assignment.value = boost::trim_copy(text.substr(equals + 1));
+  assignment.value = boost::trim_copy(text.substr(equals + 1)); // no comments on a command line
   assignment.place = "--set";
   assignment.base = fs::current_path();
   return assignment;

@@ -11,6 +11,7 @@ namespace interlock::coupling
 struct ParameterProblem {
   std::string entry;    // "Section/Name" of the entry to change first
   std::string sentence; // full sentence with the values and what is allowed
+  bool unusual = false; // no contradiction: can be asked for with `Unusual values`
 };
 
 // A list of problems in the making.
@@ -22,7 +23,14 @@ public:
   {
     std::ostringstream sentence;
     (sentence << ... << parts);
-    list_.push_back({entry, sentence.str()});
+    list_.push_back({entry, sentence.str(), false});
+  }
+
+  // The same of what can be run, but is most likely a slip.
+  template <typename... Parts> void add_unusual(const std::string& entry, const Parts&... parts)
+  {
+    add(entry, parts...);
+    list_.back().unusual = true;
   }
 
   std::vector<ParameterProblem> take() { return std::move(list_); }

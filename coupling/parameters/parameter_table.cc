@@ -65,6 +65,14 @@ dealii::Patterns::Selection pattern_of(const std::vector<std::string>& choices)
 {
   return dealii::Patterns::Selection(boost::algorithm::join(choices, "|"));
 }
+// A value that a reader would take for something else gets quotes: # starts a comment, a backslash
+// at the end continues the line, blanks at the ends are cut off.
+std::string as_written(const std::string& value)
+{
+  const bool plain = value.find('#') == std::string::npos && !boost::ends_with(value, "\\") &&
+                     !boost::starts_with(value, "\"") && boost::trim_copy(value) == value;
+  return plain ? value : '"' + value + '"';
+}
 } // namespace
 
 const Range positive{0, infinity, false};
@@ -85,7 +93,7 @@ void ParameterTable::bind(const std::string& name, T& member, const T& start,
                           const dealii::Patterns::PatternBase& pattern, const std::string& allowed,
                           const std::string& text, const bool required)
 {
-  ParameterEntry entry{section_, name, text, "", allowed, required, false};
+  ParameterEntry entry{section_, name, text, "", allowed, required};
   const auto bracket = text.rfind(" [");
   if (bracket != std::string::npos && text.back() == ']') {
     entry.sentence = text.substr(0, bracket);
@@ -167,6 +175,7 @@ void ParameterTable::offer_text(const std::string& name, std::string& member,
                                 const std::string& text)
 {
   bind(name, member, std::string(), dealii::Patterns::Anything(), "any text", text, false);
+  entries_.back().is_text = true;
 }
 
 void ParameterTable::require_file(const std::string& name, std::string& member,
@@ -225,7 +234,7 @@ void write_parameters(std::ostream& out, const ParameterTable& table)
     const std::string indent = section.empty() ? "" : "  ";
     out << indent << "# " << entry.sentence;
     if (!entry.unit.empty()) out << " [" << entry.unit << ']';
-    out << '\n' << indent << "set " << entry.name << " = " << table.get(entry) << '\n';
+    out << '\n' << indent << "set " << entry.name << " = " << as_written(table.get(entry)) << '\n';
   }
   if (!section.empty()) out << "end\n";
 }

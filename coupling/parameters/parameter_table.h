@@ -21,6 +21,7 @@ struct ParameterEntry {
   std::string allowed;   // in words: "a number greater than 0"
   bool required = false; // has no default
   bool is_path = false;  // of a file or folder
+  bool is_text = false;  // any text: a name
 
   std::string key() const; // "Section/Name", as `--set` writes it
 };

@@ -38,6 +38,35 @@ void check_lattice(const GeogridParameters& geogrid, const BoxParameters& box,
                  geogrid.rib_width, " m), but the box is only ", box.length, " m long.");
 }
 
+// A box that was made longer or wider and kept the geogrid of the smaller one.
+void check_cover(const GeogridParameters& geogrid, const BoxParameters& box,
+                 ParameterProblems& problems)
+{
+  const auto check = [&](const char* entry, int apertures, double pitch, double inside,
+                         const char* direction) {
+    const double gap = inside - apertures * pitch - geogrid.rib_width;
+    if (gap > 2 * pitch)
+      problems.add_unusual(entry, "The geogrid ends ", gap,
+                           " m before the walls of the box, which is ", inside, " m ", direction,
+                           "; ", apertures + static_cast<int>(gap / pitch),
+                           " apertures would fill it.");
+  };
+  check("Geogrid/Apertures along", geogrid.apertures_along, geogrid.pitch_along, box.length,
+        "long");
+  check("Geogrid/Apertures across", geogrid.apertures_across, geogrid.pitch_across, box.width,
+        "wide");
+}
+
+// Pouring them takes days.
+void check_volume(const BoxParameters& box, ParameterProblems& problems)
+{
+  constexpr double largest = 4; // [m3]
+  const double volume = box.length * box.width * box.height;
+  if (volume > largest)
+    problems.add_unusual("Box/Length", "The box holds ", volume,
+                         " m3, some 25000 stones of railway ballast in each.");
+}
+
 void check_ribs(const GeogridParameters& geogrid, ParameterProblems& problems)
 {
   const double pitch = std::min(geogrid.pitch_along, geogrid.pitch_across);
@@ -82,6 +111,8 @@ std::vector<ParameterProblem> check_pull_out(const PullOutParameters& parameters
   check_stones(parameters.stones, problems);
   check_box(parameters.box, parameters.geogrid, problems);
   check_lattice(parameters.geogrid, parameters.box, problems);
+  check_cover(parameters.geogrid, parameters.box, problems);
+  check_volume(parameters.box, problems);
   check_ribs(parameters.geogrid, problems);
   check_surcharge(parameters.surcharge, parameters.box, problems);
   check_pull(parameters.pull, parameters.geogrid, problems);

@@ -168,7 +168,7 @@ void declare_numerics(ParameterTable& table, PullOutParameters& parameters)
 void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
 {
   table.open_section("");
-  table.require("Gravity", parameters.gravity, not_negative,
+  table.require("Gravity", parameters.gravity, positive,
                 "Acceleration of gravity, downwards along z. [m/s2]");
   table.offer_file("Start from", parameters.start_from,
                    "State that another run has left (state_before_geogrid.h5 or "

@@ -25,12 +25,12 @@ const std::vector<std::string> fixed_by_geogrid = {
     "Geogrid/Pitch along",     "Geogrid/Pitch across",     "Geogrid/Rib width",
     "Geogrid/Edge rounding",   "Geogrid/Elements per rib"};
 // What says nothing about the stones before the pull.
-const std::vector<std::string> without_effect_before_pull = {"Start from", "Pull/", "Output/",
-                                                             "Limits/", "Geogrid/Break strain"};
+const std::vector<std::string> without_effect_before_pull = {
+    "Unusual values", "Start from", "Pull/", "Output/", "Limits/", "Geogrid/Break strain"};
 // What matters from the placing of the geogrid on only.
 const std::vector<std::string> without_effect_before_geogrid = {
-    "Start from", "Pull/",      "Output/",         "Limits/",
-    "Geogrid/",   "Surcharge/", "Box/Slot height", "Filling/"};
+    "Unusual values", "Start from", "Pull/",           "Output/", "Limits/",
+    "Geogrid/",       "Surcharge/", "Box/Slot height", "Filling/"};
 
 bool any_outside(const std::vector<std::string>& keys, const std::vector<std::string>& list)
 {

@@ -116,8 +116,11 @@ TEST_F(ClumpProgram, PlacesThatCannotBeWritten)
 TEST_F(ClumpProgram, Options)
 {
   const std::string one = "$I clump a/x.stl" + spheres;
-  for (const char* density : {"nan", "inf", "0", "2.65", "1e300", "-2650"})
-    expect_refusal(one + "--density " + density, {"--density is", "100 to 30000 kg/m3"});
+  for (const char* density : {"nan", "inf", "0", "-2650"})
+    expect_refusal(one + "--density " + density, {"--density is", "greater than 0"});
+  for (const char* density : {"2.65", "1e300"})
+    expect_refusal(one + "--density " + density, {"--density is", "1000 to 8000 kg/m3"});
+  expect_refusal(one + "--density 2.65", {"2.65 g/cm3 are 2650 kg/m3", "--unusual"});
   expect_refusal(one + "--target-volume-error -1", {"--target-volume-error is -1 %"});
   expect_refusal(one + "--target-inertia-error 100", {"--target-inertia-error is 100 %"});
   expect_refusal(one + "--seed -1", {"--seed is -1", "0 to"});
@@ -137,12 +140,16 @@ TEST_F(ClumpProgram, NamesOfStones)
   expect_refusal("$I clump empty" + spheres, {"'empty'", ".xyz"});
 }
 
-// One word behind --format: the stone is no format.
+// Words behind --format: the stone is no format.
 TEST_F(ClumpProgram, FormatLeavesTheStone)
 {
   run("$I clump --format lammps,csv a/x.stl --density 2650" + spheres + "-o x.clump.json");
   EXPECT_EQ(code, 0) << err;
   EXPECT_TRUE(fs::exists(work / "x.mol") && fs::exists(work / "x.csv"));
+  run("$I clump --density 2650" + spheres + "-o y.clump.json --format csv vtk a/x.stl");
+  EXPECT_EQ(code, 0) << err;
+  EXPECT_TRUE(fs::exists(work / "y.csv") && fs::exists(work / "y.vtp"));
+  run("$I clump --format lammps,csv a/x.stl --density 2650" + spheres + "-o x.clump.json");
   // Five spheres cannot carry the moments of the stone.
   EXPECT_NE(out.find("their moments are off by up to"), std::string::npos) << out;
 }

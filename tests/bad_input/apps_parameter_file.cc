@@ -192,6 +192,51 @@ TEST_F(BadParameterFile, BrokenLinesAreNamed)
   expect_words(errors_with("Pull/Speed"), {"--set", "\"Pull/Speed\"", "Section/Name=value"});
 }
 
+// Every other line behind the gap would be an entry of the wrong section.
+TEST_F(BadParameterFile, OneMissingEndIsOneError)
+{
+  std::string text = apps::pull_out_template();
+  const auto end = text.find("\nend\n");
+  text.erase(end + 1, 4);
+  expect_words(errors(write("bad.prm", text)), {"bad.prm, line ", "\"Stones\" has no \"end\""});
+}
+
+TEST_F(BadParameterFile, AHashInANameIsAskedAbout)
+{
+  fs::create_directories(folder / "set");
+  fs::create_directories(folder / "set # 3");
+  write("set/a.stl", "solid");
+  const std::string head = "include good.prm\nsubsection Stones\n  set Length unit = 0.001\n";
+  expect_words(errors(write("bad.prm", head + "  set Folder = set #2\nend\n")),
+               {"bad.prm, line 4", "\"#2\"", "comment", "\"set #2\""});
+  expect_words(errors(write("bad.prm", head + "  set Folder = set # 3\nend\n")),
+               {"bad.prm, line 4", "\"# 3\"", "\"set # 3\""});
+}
+
+TEST_F(BadParameterFile, OtherUnitsAreAskedAbout)
+{
+  expect_words(errors_after("set Density = 2650", "  set Density = 2.65"),
+               {"bad.prm, line ", "\"Stones/Density\"", "1000 to 8000 kg/m3",
+                "2.65 g/cm3 are 2650 kg/m3", "--unusual"});
+  expect_words(errors_with("Geogrid/Youngs modulus=2400"), {"2400 MPa are 2.4e+09 Pa"});
+  expect_words(errors_with("Contact/Stone stiffness=60"), {"60 MN/m are 6e+07 N/m"});
+  expect_words(errors_with("Stones/D min=1.5"), {"\"Stones/D min\"", "1.5 mm are 0.0015 m"});
+  expect_words(errors_with("Gravity=0"), {"\"Gravity\" is \"0\"", "greater than 0"});
+  expect_words(errors_with("Pull/Speed=60"), {"60 mm/s are 0.06 m/s"});
+}
+
+TEST_F(BadParameterFile, SizesAreComparedWithEachOther)
+{
+  expect_words(errors_with("Box/Length=0.6"), {"\"Geogrid/Apertures along\"", "0.205 m",
+                                               "0.6 m long", "9 apertures", "--unusual"});
+}
+
+TEST_F(BadParameterFile, Utf16IsNamed)
+{
+  expect_words(errors(write("wide.prm", std::string("\xFF\xFEs\0e\0t\0", 8))),
+               {"wide.prm", "UTF-16", "UTF-8"});
+}
+
 TEST_F(BadParameterFile, UnreadableFileIsOneSentence)
 {
   expect_words(errors(folder / "no.prm"), {"no.prm", "cannot be read"});
