@@ -44,7 +44,7 @@ build: install
 
 pullout: build
 	@echo 'Running the quick coupled pull-out test cases/pullout/quick.prm.'
-	@$(RELEASE)/bin/interlock run cases/pullout/quick.prm --output $(RESULTS)
+	@$(RELEASE)/bin/interlock run cases/pullout/quick.prm --output $(RESULTS) --force
 	@test -s $(RESULTS)/figures/force_displacement.png || \
 	  { echo 'The run ended without its figure; see $(RESULTS)/run.log.' >&2; exit 1; }
 	@echo

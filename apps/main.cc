@@ -1,15 +1,15 @@
 // The program `interlock`. Exit codes: 0 done, 2 bad input, 3 the simulation failed, 130
 // interrupted.
+#include "apps/build_info.h"
 #include "apps/clump_command.h"
 #include "apps/interruption.h"
+#include "apps/mpi_start.h"
 #include "apps/nearest_name.h"
 #include "apps/report_command.h"
 #include "apps/run_command.h"
 #include "apps/stones_command.h"
 #include "apps/template_command.h"
 #include "dem/input_error.h"
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <csignal>
@@ -32,10 +32,32 @@ void print_errors(const std::string& text)
     std::cerr << "interlock: error: " << line << '\n';
 }
 
+// `interlock help` and `interlock help COMMAND`, as people type it.
+void add_help_command(CLI::App& program)
+{
+  CLI::App* command = program.add_subcommand("help", "Explain the program or a command.");
+  auto name = std::make_shared<std::string>();
+  command->add_option("command", *name, "Command to explain.");
+  command->callback([&program, name] {
+    if (name->empty()) {
+      std::cout << program.help();
+      return;
+    }
+    for (CLI::App* known : program.get_subcommands(nullptr))
+      if (known->get_name() == *name) {
+        std::cout << known->help();
+        return;
+      }
+    throw interlock::InputError("There is no command \"" + *name + "\" (interlock --help).");
+  });
+}
+
 void add_commands(CLI::App& program)
 {
-  program.require_subcommand(1);
-  program.set_version_flag("--version", "interlock " INTERLOCK_VERSION);
+  program.require_subcommand(0, 1); // none: the overview
+  program.set_version_flag("--version", std::string("interlock " INTERLOCK_VERSION " (commit ") +
+                                            apps::build_commit + ", " + apps::build_commit_date +
+                                            ", " + apps::build_compiler + ")");
   program.footer("Exit codes: 0 done, 2 bad input, 3 the simulation failed, 130 interrupted.\n"
                  "interlock COMMAND --help explains a command.");
   apps::add_run_command(program);
@@ -43,13 +65,14 @@ void add_commands(CLI::App& program)
   apps::add_stones_command(program);
   apps::add_template_command(program);
   apps::add_report_command(program);
+  add_help_command(program);
 }
 
 // CLI11 takes an unknown word for a missing command; the word itself tells more.
 void check_command(const CLI::App& program, const int argc, char** argv)
 {
   const std::string word = argc > 1 ? argv[1] : "-";
-  if (word.front() == '-') return;
+  if (word.empty() || word.front() == '-') return;
   std::vector<std::string> known;
   for (const CLI::App* command : program.get_subcommands(nullptr))
     known.push_back(command->get_name());
@@ -88,10 +111,13 @@ int run_program(const int argc, char** argv)
   CLI::App program(
       "Pull-out tests of geogrids in ballast: clump DEM coupled with beam finite elements.",
       "interlock");
-  add_commands(program);
   try {
+    add_commands(program);
+    // Several ranks would do the same several times, whatever the command.
+    if (apps::started_by_launcher()) apps::start_mpi();
     check_command(program, argc, argv);
     program.parse(argc, argv);
+    if (program.get_subcommands().empty()) std::cout << program.help();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error); // help, version
     // A misspelt option may be why another one is missing.
@@ -118,11 +144,7 @@ int main(int argc, char** argv)
 {
   // A limit on the size of files is a full disk to us: an error with a sentence, not the end.
   std::signal(SIGXFSZ, SIG_IGN);
-  // MPI and PETSc get no arguments: PETSc would answer --help and --version itself.
-  int no_arguments = 1;
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(no_arguments, argv, 1);
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1) return run_program(argc, argv);
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    print_errors("This version runs on one MPI rank; start it without mpirun or with \"-n 1\".");
-  return bad_input;
+  const int code = run_program(argc, argv);
+  apps::stop_mpi();
+  return code;
 }

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <ostream>
 #include <sstream>
 #include <utility>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 namespace interlock::apps
 {
@@ -41,6 +45,7 @@ std::string progress_text(const coupling::Progress& progress, const double steps
 {
   std::ostringstream text;
   text << progress.stage;
+  if (progress.stages > 0) text << " (" << progress.number << " of " << progress.stages << ')';
   if (progress.fraction >= 0)
     text << ' ' << std::setw(3) << static_cast<int>(100 * std::min(progress.fraction, 1.)) << " %";
   text << ", " << std::fixed << std::setprecision(3) << progress.simulated_time << " s simulated";
@@ -49,9 +54,19 @@ std::string progress_text(const coupling::Progress& progress, const double steps
   return text.str();
 }
 
+std::size_t terminal_line_width()
+{
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2)
+    return std::numeric_limits<std::size_t>::max();
+  return size.ws_col - 1; // a full line would wrap
+}
+
 ProgressDisplay::ProgressDisplay(std::ostream& screen, const bool screen_is_terminal,
-                                 std::ostream& log, std::function<Clock::time_point()> now)
-    : screen_(screen), terminal_(screen_is_terminal), log_(log), now_(std::move(now))
+                                 std::ostream& log, std::function<Clock::time_point()> now,
+                                 std::function<std::size_t()> line_width)
+    : screen_(screen), terminal_(screen_is_terminal), log_(log), now_(std::move(now)),
+      line_width_(std::move(line_width))
 {
 }
 
@@ -92,8 +107,8 @@ void ProgressDisplay::show(const coupling::Progress& progress)
   }
   if (bar_due) {
     // Carriage return and `erase to the end of the line`: the bar stays in one place.
-    screen_ << "\r\033[K" << progress_bar(progress.fraction, bar_width) << ' ' << text
-            << std::flush;
+    const std::string bar = progress_bar(progress.fraction, bar_width) + ' ' + text;
+    screen_ << "\r\033[K" << bar.substr(0, line_width_()) << std::flush;
     bar_visible_ = true;
     last_bar_ = now;
   }

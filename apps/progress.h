@@ -11,8 +11,9 @@
 
 namespace interlock::apps
 {
-// "pull  45 %, 1.234 s simulated, 52300 steps/s, 1:23 left": parts that nobody can tell are left
-// out (negative fraction, no speed yet, negative seconds left).
+// "pull (5 of 5)  45 %, 1.234 s simulated, 52300 steps/s, 1:23 min left": parts that nobody can
+// tell are left out (negative fraction, no speed yet, negative seconds left); the time left is that
+// of the stage.
 std::string progress_text(const coupling::Progress& progress, double steps_per_second,
                           double seconds_left);
 
@@ -22,14 +23,18 @@ std::string progress_bar(double fraction, int width);
 // "12 s", "1:23 min", "2:05 h".
 std::string duration_text(double seconds);
 
+// Characters that fit into a line of the terminal on the standard output; no end without one.
+std::size_t terminal_line_width();
+
 class ProgressDisplay
 {
 public:
   // `log` receives every message and a plain line about every 10 s of wall time. Both streams must
-  // outlive the display. `now` tells the time, so that a test can make it pass.
+  // outlive the display. `now` and `line_width` are there for tests.
   using Clock = std::chrono::steady_clock;
   ProgressDisplay(std::ostream& screen, bool screen_is_terminal, std::ostream& log,
-                  std::function<Clock::time_point()> now = Clock::now);
+                  std::function<Clock::time_point()> now = Clock::now,
+                  std::function<std::size_t()> line_width = terminal_line_width);
   ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
@@ -45,6 +50,7 @@ private:
   bool terminal_;
   std::ostream& log_;
   std::function<Clock::time_point()> now_;
+  std::function<std::size_t()> line_width_; // a longer bar is cut
   bool bar_visible_ = false;
   std::string stage_;
   Clock::time_point stage_start_, last_bar_, last_line_;

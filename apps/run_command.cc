@@ -1,21 +1,29 @@
 #include "apps/run_command.h"
 
+#include "apps/build_info.h"
 #include "apps/interruption.h"
+#include "apps/mpi_start.h"
 #include "apps/output_folder.h"
 #include "apps/parameter_file.h"
 #include "apps/progress.h"
 #include "apps/report_command.h"
+#include "apps/result_text.h"
+#include "apps/run_folder.h"
 #include "coupling/files/atomic_file.h"
 #include "coupling/run/checkpoints.h"
 #include "coupling/run/run_failure.h"
 #include "coupling/output/summary.h"
+#include "dem/input_error.h"
 
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <cctype>
+#include <ctime>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 #include <unistd.h>
@@ -29,8 +37,8 @@ namespace fs = std::filesystem;
 struct RunArguments {
   std::string file;
   std::vector<std::string> overrides;
-  std::string output;
-  bool resume = false;
+  std::optional<std::string> output;
+  bool resume = false, force = false, unusual = false;
 };
 
 // run.log: kept in memory until the input is known to be good and the folder exists.
@@ -69,24 +77,42 @@ std::string closing_text(const coupling::Summary& summary, const fs::path& folde
     text << summary.clumps << " stones of " << summary.spheres << " spheres, ";
   text << summary.steps << " steps in " << duration_text(summary.wall_time) << '.';
   for (const auto& result : summary.results.items())
-    text << "\n  " << result.key() << " = " << result.value();
+    text << "\n  " << result_text(result.key(), result.value());
   if (summary.energy.contains("relative_error"))
-    text << "\n  relative error of the energy ledger = " << summary.energy["relative_error"];
+    text << "\n  "
+         << result_text("relative_error_of_the_energy_ledger", summary.energy["relative_error"]);
   text << "\nEverything is in " << folder.string() << '.';
   return text.str();
 }
 
+// Where and when a run ended, and with which program.
+nlohmann::ordered_json origin()
+{
+  char host[256] = "";
+  gethostname(host, sizeof host - 1);
+  const std::time_t now = std::time(nullptr);
+  std::ostringstream date;
+  date << std::put_time(std::gmtime(&now), "%Y-%m-%dT%H:%M:%SZ");
+  return {{"commit", build_commit},
+          {"commit_date", build_commit_date},
+          {"compiler", build_compiler},
+          {"host", host},
+          {"date", date.str()}};
+}
+
 // Nothing is written before the experiment has accepted its parameters.
-coupling::Summary simulate(const RunInput& input, coupling::RunRequest request, RunLog& log)
+coupling::Summary simulate(const RunInput& input, const coupling::RunRequest& request,
+                           RunFolder& folder, RunLog& log)
 {
   const ReadyExperiment experiment = input.experiment->prepare(input.parameters, request);
-  create_output_folder(request.folder);
+  folder.take();
   log.open(request.folder / "run.log", request.resume);
   // A resumed run has the entries of its checkpoint, or is refused.
   if (!request.resume) coupling::write_atomically(request.folder / "used.prm", input.used);
 
   coupling::Summary summary = experiment(request);
   summary.version = INTERLOCK_VERSION;
+  summary.origin = origin();
   coupling::write_summary(request.folder / "summary.json", summary);
   return summary;
 }
@@ -106,17 +132,32 @@ std::string resume_line(const RunArguments& arguments)
 {
   std::string line = "interlock run " + quoted(arguments.file);
   for (const std::string& entry : arguments.overrides) line += " --set " + quoted(entry);
-  if (!arguments.output.empty()) line += " --output " + quoted(arguments.output);
+  if (arguments.output) line += " --output " + quoted(*arguments.output);
   return line + " --resume";
+}
+
+fs::path output_folder(const RunArguments& arguments)
+{
+  return arguments.output ? fs::path(*arguments.output) : default_output_folder(arguments.file);
+}
+
+// A run that starts from a state must not remove it.
+void check_start_state(const std::vector<coupling::CaseEntry>& entries, const fs::path& folder)
+{
+  for (const coupling::CaseEntry& entry : entries) {
+    if (entry.key != "Start from" || entry.value.empty()) continue;
+    std::error_code error;
+    if (fs::equivalent(fs::path(entry.value).parent_path(), folder, error))
+      throw InputError("The state to start from lies in the output folder \"" + folder.string() +
+                       "\", which this run would clear; choose another one with --output.");
+  }
 }
 
 coupling::RunRequest request_for(const RunArguments& arguments, const RunInput& input,
                                  ProgressDisplay& display)
 {
   coupling::RunRequest request;
-  request.folder =
-      arguments.output.empty() ? default_output_folder(arguments.file) : fs::path(arguments.output);
-  check_output_folder(request.folder);
+  request.folder = output_folder(arguments);
   request.entries = input.entries;
   request.version = INTERLOCK_VERSION;
   request.monitor = monitor_for(display);
@@ -127,21 +168,29 @@ coupling::RunRequest request_for(const RunArguments& arguments, const RunInput& 
   return request;
 }
 
-void run(const RunArguments& arguments)
+void run(RunArguments arguments)
 {
+  if (arguments.unusual) arguments.overrides.push_back("Unusual values=true");
   const RunInput input = read_parameter_file(arguments.file, arguments.overrides);
+  start_mpi();
   catch_interruption();
 
   RunLog log;
   ProgressDisplay display(std::cout, isatty(STDOUT_FILENO) != 0, log.stream());
   const coupling::RunRequest request = request_for(arguments, input, display);
+  RunFolder owned(request.folder, request.resume    ? FolderUse::resume
+                                  : arguments.force ? FolderUse::replace
+                                                    : FolderUse::fresh);
+  if (!request.resume) check_start_state(input.entries, request.folder);
   const fs::path& folder = request.folder;
   coupling::Summary summary;
   try {
-    summary = simulate(input, request, log);
+    summary = simulate(input, request, owned, log);
   } catch (const coupling::RunStopped& stopped) {
-    const std::string sentence = "interrupted; the state is in " + stopped.checkpoint() +
-                                 ", go on with: " + resume_line(arguments);
+    const std::string sentence = stopped.checkpoint().empty()
+                                     ? "interrupted before there was a state to keep; start it anew"
+                                     : "interrupted; the state is in " + stopped.checkpoint() +
+                                           ", go on with: " + resume_line(arguments);
     log.stream() << "Stopped: " << sentence << std::endl;
     throw Interrupted(sentence);
   } catch (const std::exception& error) {
@@ -156,6 +205,7 @@ void run(const RunArguments& arguments)
     throw std::runtime_error(
         "a tenth of the work or more was made or lost, see the warnings. What is in " +
         folder.string() + " is for finding out why.");
+  if (!summary.not_usable.empty()) throw std::runtime_error(summary.not_usable);
 }
 } // namespace
 
@@ -170,13 +220,18 @@ void add_run_command(CLI::App& program)
           "--set", arguments->overrides,
           "Override an entry of the file: \"Geogrid/Youngs modulus=2e9\"; may be repeated.")
       ->take_all()
-      ->expected(1);
+      ->expected(1)
+      ->allow_extra_args(false);
   command->add_option("-o,--output", arguments->output,
                       "Output folder; results/NAME for a file NAME.prm if not given.");
   command->add_flag(
       "--resume", arguments->resume,
       "Go on from the checkpoint in the output folder; from the beginning when there is "
       "none yet.");
+  command->add_flag("--force", arguments->force,
+                    "Remove the results of an earlier run in the output folder first.");
+  command->add_flag("--unusual", arguments->unusual,
+                    "Take values that are far from those of ballast and geogrids as they are.");
   command->footer("Example: interlock run cases/pullout/quick.prm --set \"Geogrid/Rigid=true\" -o "
                   "results/rigid");
   command->callback([arguments] { run(*arguments); });

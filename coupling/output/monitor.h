@@ -8,10 +8,11 @@
 namespace interlock::coupling
 {
 struct Progress {
-  std::string stage;         // "pull"
-  double fraction = 0;       // of the stage that is done, 0 to 1; negative where nobody can tell
-  double simulated_time = 0; // since the start of the run [s]
-  std::int64_t steps = 0;    // since the start of the run
+  std::string stage;          // "pull"
+  double fraction = 0;        // of the stage that is done, 0 to 1; negative where nobody can tell
+  double simulated_time = 0;  // since the start of the run [s]
+  std::int64_t steps = 0;     // since the start of the run
+  int number = 0, stages = 0; // the stage is the `number`-th, from 1, of so many; 0: not known
 };
 
 // All may be empty. They are called from one thread: `progress` every hundred steps or so (the

@@ -47,6 +47,7 @@ nlohmann::ordered_json to_json(const Summary& summary)
       summary.steps > 0 ? summary.wall_time / static_cast<double>(summary.steps) : 0;
   const double per_step = summary.wall_time_per_step > 0 ? summary.wall_time_per_step : mean;
   return {{"version", summary.version},
+          {"origin", object(summary.origin)},
           {"experiment", summary.experiment},
           {"ranks", summary.ranks},
           {"seed", summary.seed},

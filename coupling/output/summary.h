@@ -20,7 +20,8 @@ struct StageSummary {
 };
 
 struct Summary {
-  std::string version; // of the program
+  std::string version;           // of the program
+  nlohmann::ordered_json origin; // commit, compiler, host, date: what no result depends on
   std::string experiment;
   int ranks = 1;
   std::uint64_t seed = 0; // of the filling
@@ -37,6 +38,7 @@ struct Summary {
   nlohmann::ordered_json results;    // by experiment; names carry their unit: peak_force_N
   std::vector<std::string> warnings; // full sentences
   bool ledger_closes = true;         // false: a tenth of the work or more was made or lost
+  std::string not_usable;            // why and from where on, a full sentence; empty: usable
   std::uint64_t state_hash = 0;      // of the whole state at the end (coupling/loop/state_hash.h)
 };
 

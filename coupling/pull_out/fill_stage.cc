@@ -16,7 +16,7 @@ const dem::Clumps& clumps_of(PullOut& experiment)
 }
 
 // Another round, or the levelling when the surface is high enough.
-void pour_or_level(FillStage& stage, PullOut& experiment)
+void pour_or_level(FillStage& stage, PullOut& experiment, const RunRecords& records)
 {
   World& world = experiment.world();
   const BoxParameters& box = experiment.parameters().box;
@@ -25,8 +25,10 @@ void pour_or_level(FillStage& stage, PullOut& experiment)
       missing > protocol::surface_tolerance * experiment.mean_size) {
     const double bulk_density =
         protocol::expected_solid_share * experiment.parameters().stones.density;
-    const double fall_time = pour(world.engine, box, experiment.pouring(),
-                                  bulk_density * box.length * box.width * missing);
+    Pouring pouring = experiment.pouring();
+    pouring.poll = [&records] { records.throw_if_stop_requested(); };
+    const double fall_time =
+        pour(world.engine, box, pouring, bulk_density * box.length * box.width * missing);
     ++stage.rounds;
     stage.phase = FillStage::Phase::pouring;
     stage.settling = begin_settling(world, fall_time, loosely_still);
@@ -43,7 +45,7 @@ void pour_or_level(FillStage& stage, PullOut& experiment)
 StageStatus before_step(FillStage& stage, PullOut& experiment, RunRecords& records)
 {
   experiment.drop_lost_stones();
-  if (stage.phase == FillStage::Phase::begin) pour_or_level(stage, experiment);
+  if (stage.phase == FillStage::Phase::begin) pour_or_level(stage, experiment, records);
   if (experiment.has_settled(stage.settling, records)) {
     if (stage.phase == FillStage::Phase::levelling) {
       const dem::Clumps& clumps = clumps_of(experiment);
@@ -54,7 +56,7 @@ StageStatus before_step(FillStage& stage, PullOut& experiment, RunRecords& recor
                       stones(clumps), mass_in_box(clumps, box), 1e3 * surface_height(clumps, box),
                       stage.taken_off));
     }
-    pour_or_level(stage, experiment);
+    pour_or_level(stage, experiment, records);
   }
   return running(fraction_of(stage.settling, experiment.world()));
 }

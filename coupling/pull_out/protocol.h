@@ -25,6 +25,15 @@ constexpr double settling_after_plate = 0.01;
 // ... and below a new load, which has to compact the stones first.
 constexpr double settling_below_load = 0.1;
 
+// Beyond these the pull is no measurement of ballast and geogrid any more. Overlap of a contact
+// over the mean radius of a member sphere: a surface that is pressed in by a tenth of its radius is
+// another surface [-]. Stretch of a rib: data sheets state forces up to 5 %, and ribs here stay
+// elastic at any stretch [-].
+constexpr double usable_overlap = 0.1, usable_stretch = 0.05;
+// The second transverse rib squeezes stones against the front wall from this share of a mean stone
+// between them on [-].
+constexpr double room_at_wall = 0.5;
+
 // Between the spheres of a surcharge [m].
 constexpr double surcharge_gap = 1e-3;
 // The filtered pull force is the mean over this displacement: a fortieth of a stone [m].

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace interlock::coupling
 {
@@ -168,14 +169,24 @@ std::unique_ptr<RibTransfer> PullOut::make_geogrid() const
 
 Pouring PullOut::pouring() const
 {
-  return {parameters_.filling.seed, parameters_.filling.drop_height, parameters_.stones.density,
-          n_shapes};
+  return {parameters_.filling.seed,
+          parameters_.filling.drop_height,
+          parameters_.stones.density,
+          n_shapes,
+          {}};
 }
 
 SettlingParameters PullOut::settling() const
 {
   return {parameters_.filling.kinetic_energy_ratio, parameters_.filling.settling_time_limit,
           mean_size};
+}
+
+double PullOut::displacement_of_rib_at_wall() const
+{
+  const GeogridParameters& g = parameters_.geogrid;
+  if (g.apertures_along < 2) return std::numeric_limits<double>::infinity();
+  return g.pitch_along - g.overhang - g.rib_width - protocol::room_at_wall * mean_size;
 }
 
 void PullOut::drop_lost_stones()

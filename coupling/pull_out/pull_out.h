@@ -60,6 +60,9 @@ public:
   SettlingParameters settling() const;
   // Gives a state that was made with other entries those of this case (start_from.h).
   void adapt();
+  // Of the clamp, from which on stones may be squeezed between the second transverse rib and the
+  // front wall (protocol.h); infinite with one aperture only [m].
+  double displacement_of_rib_at_wall() const;
   // Takes out what fell through the slot: it would fall for ever.
   void drop_lost_stones();
   // Whether a stage may settle no longer: true when the stones lie still, and, with a warning, when

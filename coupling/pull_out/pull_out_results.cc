@@ -1,4 +1,5 @@
 // What a pull-out run leaves in its summary.
+#include "coupling/pull_out/protocol.h"
 #include "coupling/pull_out/pull_out.h"
 #include "coupling/stones/filled_box.h"
 
@@ -57,6 +58,42 @@ void describe_energy(const PullStage& pull, Summary& summary)
   summary.energy["pull_relative_error"] =
       change.clamp_work != 0 ? std::abs(change.residual() / change.clamp_work) : 0;
 }
+
+// From where on the pull is not to be used, and why; what is only doubtful does not fail the run.
+void describe_usability(const PullStage& pull, const PullOut& experiment, Summary& summary)
+{
+  struct Bound {
+    double left_at; // [m]
+    bool fails;
+    std::string reason;
+  };
+  const double at_wall = experiment.displacement_of_rib_at_wall();
+  const std::vector<Bound> bounds = {
+      {pull.ledger_left_at, true,
+       fmt::format("the energy ledger of the pull misses more than {:.2g} of the clamp's work",
+                   ledger_bound)},
+      {pull.overlap_left_at, true,
+       fmt::format(
+           "a contact overlaps by more than {:.2g} of the mean radius of a sphere (a wedged "
+           "stone?)",
+           protocol::usable_overlap)},
+      {pull.stretch_left_at, true,
+       fmt::format("a rib is stretched by more than {:.2g} %, and ribs here never yield",
+                   100 * protocol::usable_stretch)},
+      {pull.record_displacements.back() > at_wall ? std::max(0., at_wall) : -1, false,
+       "the second transverse rib squeezes stones against the front wall"}};
+  const Bound* first = nullptr;
+  for (const Bound& bound : bounds)
+    if (bound.left_at >= 0 && (!first || bound.left_at < first->left_at)) first = &bound;
+  if (!first) return;
+  const std::string sentence = fmt::format("From {:.1f} mm on the pull is not to be used: {}.",
+                                           1e3 * first->left_at, first->reason);
+  summary.results["not_usable_from_mm"] = 1e3 * first->left_at;
+  summary.results["not_usable_because"] = first->reason;
+  if (std::any_of(bounds.begin(), bounds.end(),
+                  [](const Bound& b) { return b.fails && b.left_at >= 0; }))
+    summary.not_usable = sentence;
+}
 } // namespace
 
 // The state that the pull starts from.
@@ -88,6 +125,7 @@ void PullOut::finish(std::vector<Stage>& plan, RunRecords& records) const
   summary.contacts = world_.engine.n_touching_spheres();
   describe_energy(pull, summary);
   describe_pull(pull, *this, summary.results);
+  describe_usability(pull, *this, summary);
 
   if (world_.clock.dt > pull.smallest_stable_step)
     records.warn(

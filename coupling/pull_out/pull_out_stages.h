@@ -90,6 +90,9 @@ struct PullStage {
   double largest_axial_force = 0;           // of all ribs at the records [N]
   double largest_stretch = 0;               // the same [-]
   double smallest_stable_step = 1e300;      // at the records [s]
+  // Displacements from which on bounds of a usable pull were left (protocol.h); negative: never.
+  // The ledger may come back, the others count for good [m].
+  double ledger_left_at = -1, overlap_left_at = -1, stretch_left_at = -1;
 };
 
 // Each in a file of its own name (fill_stage.cc, ...).
@@ -188,5 +191,8 @@ template <class Archive> void exchange(Archive& archive, PullStage& stage)
   archive("largest_axial_force", stage.largest_axial_force, "N");
   archive("largest_stretch", stage.largest_stretch);
   archive("smallest_stable_step", stage.smallest_stable_step, "s");
+  archive("ledger_left_at", stage.ledger_left_at, "m");
+  archive("overlap_left_at", stage.overlap_left_at, "m");
+  archive("stretch_left_at", stage.stretch_left_at, "m");
 }
 } // namespace interlock::coupling

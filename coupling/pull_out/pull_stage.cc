@@ -28,13 +28,29 @@ void warn_of_rib_at_wall(const PullOut& experiment, RunRecords& records)
 {
   const GeogridParameters& g = experiment.parameters().geogrid;
   const double distance = experiment.parameters().pull.distance, size = experiment.mean_size;
-  const double left = g.pitch_along - g.overhang - g.rib_width - distance;
-  if (g.apertures_along > 1 && left < 0.5 * size)
-    records.warn(
-        fmt::format("The pull brings the second transverse rib to {:.1f} mm from the front "
-                    "wall, less than half a stone of {:.1f} mm: stones caught there raise "
-                    "the force.",
-                    1e3 * left, 1e3 * size));
+  const double limit = experiment.displacement_of_rib_at_wall();
+  if (distance > limit)
+    records.warn(fmt::format(
+        "From {:.1f} mm on the second transverse rib is nearer to the front wall than half a stone "
+        "of {:.1f} mm: stones caught there raise the force; {:.1f} mm are left at the end.",
+        1e3 * std::max(0., limit), 1e3 * size,
+        1e3 * (g.pitch_along - g.overhang - g.rib_width - distance)));
+}
+
+// Where the pull leaves its bounds.
+void note_bounds(PullStage& stage, const PullOut& experiment)
+{
+  const auto mark = [&](double& left_at, bool outside) {
+    if (outside && left_at < 0) left_at = stage.displacement;
+  };
+  // Before the first millimetre there is no work to compare with.
+  const EnergyLedger change = difference(stage.ledger, stage.ledger_at_begin);
+  const bool outside = std::abs(change.residual()) > ledger_bound * std::abs(change.clamp_work);
+  if (!outside) stage.ledger_left_at = -1;
+  mark(stage.ledger_left_at, outside && stage.displacement > protocol::filter_length);
+  mark(stage.overlap_left_at,
+       stage.largest_overlap > protocol::usable_overlap * experiment.mean_sphere_radius);
+  mark(stage.stretch_left_at, stage.largest_stretch > protocol::usable_stretch);
 }
 
 double speed_after(double elapsed, const PullParameters& p)
@@ -102,6 +118,7 @@ void record(PullStage& stage, PullOut& experiment, RunRecords& records)
   append_ledger(row, stage.ledger);
   records.add(row);
   ++stage.records;
+  note_bounds(stage, experiment);
 }
 } // namespace
 

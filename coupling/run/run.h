@@ -55,6 +55,8 @@ public:
     try {
       while (stage_ < plan_.size()) advance();
       finish();
+    } catch (const StopRequested&) {
+      throw RunStopped(has_checkpoint(request_.folder) ? checkpoints_.file().string() : "");
     } catch (const RunFailure&) {
       keep_failed_state();
       throw;
@@ -91,7 +93,7 @@ private:
       throw InputError(what + " belongs to an experiment \"" + experiment + "\", not to \"" +
                        Experiment::name + "\".");
     require_same_case(what, entries, request_.entries, [](const std::string& key) {
-      return is_among(key, {"Output/Checkpoint interval", "Output/Report"});
+      return is_among(key, {"Unusual values", "Output/Checkpoint interval", "Output/Report"});
     });
     exchange_run(archive);
     archive.expect_all_read();
@@ -123,7 +125,8 @@ private:
     if (request_.monitor.stop_requested && request_.monitor.stop_requested()) stop();
     const std::int64_t step = world().clock.step;
     if (step % steps_between_checks == 0) check_physics(world(), experiment_.limits());
-    if (step % steps_between_progress == 0) records_.progress(status.fraction, world().clock);
+    if (step % steps_between_progress == 0)
+      records_.progress(status.fraction, world().clock, stage_ + 1, plan_.size());
     if (checkpoints_.due()) checkpoints_.write(state());
   }
 

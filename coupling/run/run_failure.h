@@ -13,7 +13,12 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-// Somebody asked the run to stop. Its state is in the file `checkpoint()`.
+// Somebody asked to stop in the middle of something that cannot be kept halfway.
+struct StopRequested {
+};
+
+// Somebody asked the run to stop. Its state is in the file `checkpoint()`; empty: there is none
+// yet.
 class RunStopped : public std::exception
 {
 public:

@@ -1,5 +1,7 @@
 #include "coupling/run/run_records.h"
 
+#include "coupling/run/run_failure.h"
+
 #include <fmt/format.h>
 
 namespace interlock::coupling
@@ -64,14 +66,22 @@ void RunRecords::warn(const std::string& sentence)
   message("warning: " + sentence);
 }
 
+void RunRecords::throw_if_stop_requested() const
+{
+  if (monitor_.stop_requested && monitor_.stop_requested()) throw StopRequested();
+}
+
 void RunRecords::message(const std::string& sentence) const
 {
   if (monitor_.message) monitor_.message(sentence);
 }
 
-void RunRecords::progress(double fraction, const StepClock& clock) const
+void RunRecords::progress(double fraction, const StepClock& clock, std::size_t number,
+                          std::size_t stages) const
 {
-  if (monitor_.progress) monitor_.progress({stage_name(), fraction, clock.time(), clock.step});
+  if (monitor_.progress)
+    monitor_.progress({stage_name(), fraction, clock.time(), clock.step, static_cast<int>(number),
+                       static_cast<int>(stages)});
 }
 
 void RunRecords::add_frame(const World& world)

@@ -36,7 +36,12 @@ public:
   const std::string& stage_name() const { return summary.stages.back().name; }
   void warn(const std::string& sentence);
   void message(const std::string& sentence) const;
-  void progress(double fraction, const StepClock& clock) const;
+  // Throws StopRequested when somebody wants the run to stop: for what takes long within a step.
+  // The run goes on from its last checkpoint then.
+  void throw_if_stop_requested() const;
+  // The present stage is the `number`-th, from 1, of `stages`.
+  void progress(double fraction, const StepClock& clock, std::size_t number,
+                std::size_t stages) const;
 
   // A row of history.csv, flushed at once.
   void add(const std::vector<History::Cell>& row) { history_->add(row); }

@@ -15,7 +15,7 @@ namespace interlock::coupling
 {
 struct StageStatus {
   bool finished = false; // no step is made any more, the next stage begins
-  double fraction = 0;   // of the stage that is done, 0 to 1
+  double fraction = 0;   // of the stage that is done, 0 to 1; negative where nobody can tell
   std::string result;    // of a finished stage, a sentence without a full stop for the log
 };
 

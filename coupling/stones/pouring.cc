@@ -56,6 +56,7 @@ double pour(dem::Engine& engine, const BoxParameters& box, const Pouring& pourin
   const int first = clumps.size();
   double highest = floor;
   for (double sum = 0; sum < mass;) {
+    if (pouring.poll) pouring.poll();
     const std::int64_t id = clumps.next_id();
     const int shape = shape_of_stone(pouring, id);
     const Vector3 place = lowest_place(clumps, first, clumps.shapes()[shape].bounding_radius(),

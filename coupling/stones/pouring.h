@@ -5,14 +5,16 @@
 #include "dem/engine/engine.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace interlock::coupling
 {
 struct Pouring {
-  std::uint64_t seed = 1; // of the order, places and attitudes of the stones
-  double drop_height = 0; // clear height between the surface and the lowest new stone [m]
-  double density = 0;     // of the stones [kg/m3]
-  int n_shapes = 0;       // the first shapes of the engine are those of the stones
+  std::uint64_t seed = 1;     // of the order, places and attitudes of the stones
+  double drop_height = 0;     // clear height between the surface and the lowest new stone [m]
+  double density = 0;         // of the stones [kg/m3]
+  int n_shapes = 0;           // the first shapes of the engine are those of the stones
+  std::function<void()> poll; // called for each stone, and may throw: a large box takes long
 };
 
 // Puts stones of at least `mass` [kg] above everything that is in the box, at rest, each as low as

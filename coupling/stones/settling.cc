@@ -1,7 +1,5 @@
 #include "coupling/stones/settling.h"
 
-#include <algorithm>
-
 namespace interlock::coupling
 {
 namespace
@@ -27,6 +25,7 @@ Stillness stillness(const Settling& settling, const World& world,
 
 double fraction_of(const Settling& settling, const World& world)
 {
-  return std::min(0.99, (world.clock.time() - settling.begin) / (settling.least + usual_time));
+  const double waited = world.clock.time() - settling.begin, usual = settling.least + usual_time;
+  return waited < usual ? waited / usual : -1;
 }
 } // namespace interlock::coupling

@@ -36,6 +36,7 @@ inline Settling begin_settling(const World& world, double least, double loosenes
 }
 Stillness stillness(const Settling& settling, const World& world,
                     const SettlingParameters& parameters);
-// Of the wait, for a progress bar: nobody knows how long it takes [-].
+// Of the wait, for a progress bar: nobody knows how long it takes. Negative when it takes longer
+// than most [-].
 double fraction_of(const Settling& settling, const World& world);
 } // namespace interlock::coupling

@@ -38,7 +38,7 @@ ExportedFiles lammps_files(const ClumpExport& clump)
   // with `gravity` alone twice.
   const std::string id = identifier(clump.shape.name);
   std::vector<std::string> usage = {
-      "LAMMPS molecule file, units si, atom_style sphere:",
+      "LAMMPS molecule file, units si, atom_style sphere, atom_modify map array:",
       "  fix ids all property/atom mol ghost yes",
       "  molecule " + id + " " + clump.file_name,
       "  fix g all gravity 9.81 vector 0 0 -1 disable",

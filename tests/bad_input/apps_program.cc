@@ -123,8 +123,10 @@ TEST_F(Program, RefusesUnknownCommandsAndOptions)
   expect_refusal({"--outptu"});
   run("run");
   expect_refusal({"file"});
-  run("");
-  expect_refusal({"--help"});
+  run("help rnu");
+  expect_refusal({"\"rnu\"", "--help"});
+  run("run " + quick + " -o ''");
+  expect_refusal({"--output is empty"});
   run("template settle");
   expect_refusal({"settle"});
   run("report no_such_folder");
@@ -153,4 +155,58 @@ TEST_F(Program, TellsItsVersionAndItsUse)
   for (const char* command : {"run", "clump", "stones", "template", "report"})
     EXPECT_NE(out.find(std::string("\n  ") + command), std::string::npos) << command;
   EXPECT_EQ(err, "");
+}
+
+TEST_F(Program, ExplainsItselfWhenNothingIsAsked)
+{
+  run("--help");
+  const std::string overview = out;
+  for (const char* words : {"", "help"}) {
+    run(words);
+    EXPECT_EQ(code, 0);
+    EXPECT_EQ(out, overview);
+  }
+  run("run --help");
+  const std::string of_run = out;
+  run("help run");
+  EXPECT_EQ(out, of_run);
+}
+
+// The environment of an srun step, and one without PATH, ssh and a folder for temporary files: no
+// command needs MPI's permission to start.
+TEST_F(Program, StartsWhereMpiDoesNot)
+{
+  const std::string srun =
+      "env SLURM_JOB_ID=5 SLURM_JOBID=5 SLURM_NODELIST=n1 SLURM_NNODES=1 SLURM_TASKS_PER_NODE=1 "
+      "SLURM_NTASKS=1 SLURM_PROCID=0 SLURM_LOCALID=0 SLURM_NODEID=0 SLURM_STEP_ID=0 "
+      "SLURM_STEPID=0 SLURM_STEP_NODELIST=n1 SLURM_STEP_NUM_NODES=1 SLURM_STEP_NUM_TASKS=1 "
+      "SLURM_STEP_TASKS_PER_NODE=1 ";
+  for (const std::string& where : {srun, std::string("env -u PATH TMPDIR=/nonexistent ")}) {
+    run("--version", where);
+    EXPECT_EQ(code, 0) << err;
+    EXPECT_EQ(out.find("interlock "), 0u) << out;
+    run("template heap", where);
+    EXPECT_EQ(code, 0) << err;
+    EXPECT_EQ(out.find("# "), 0u);
+    // A run starts, too: its answer is about its input.
+    run("run " + quick + " --set Stones/Count=1 --set Time/Step=1e-3", where);
+    EXPECT_EQ(code, 2);
+    EXPECT_NE(err.find("Time/Step"), std::string::npos) << err;
+  }
+}
+
+// PETSc's options of a user, such as -log_view, are about his own programs.
+TEST_F(Program, PrintsNothingOfPetscs)
+{
+  std::ofstream(folder / "work" / ".petscrc") << "-log_view\n";
+  run("template laboratory");
+  EXPECT_EQ(code, 0);
+  EXPECT_EQ(out.find("Summary"), std::string::npos);
+}
+
+TEST_F(Program, TakesOptionsBeforeTheFile)
+{
+  run("run --set Time/Step=1e-3 --set Stones/Count=1 " + quick);
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(err.find("Time/Step"), std::string::npos) << err;
 }

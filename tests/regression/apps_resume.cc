@@ -54,7 +54,8 @@ json without_wall_times(const json& value)
   if (!value.is_object()) return value;
   json result = json::object();
   for (const auto& [key, entry] : value.items())
-    if (key.compare(0, 9, "wall_time") != 0) result[key] = without_wall_times(entry);
+    if (key.compare(0, 9, "wall_time") != 0 && key != "origin")
+      result[key] = without_wall_times(entry);
   return result;
 }
 
@@ -103,8 +104,8 @@ protected:
 
   Ending run(const Words& words) const { return end_of(start(words)); }
 
-  // Sends the signal as soon as `now` holds. On a busy machine this process may look too late: a run
-  // that was over before is started anew.
+  // Sends the signal as soon as `now` holds. On a busy machine this process may look too late: a
+  // run that was over before is started anew.
   Ending stop(int signal, const Words& words, const std::function<bool()>& now) const
   {
     const bool anew = std::find(words.begin(), words.end(), "--resume") == words.end();

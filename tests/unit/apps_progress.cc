@@ -13,6 +13,8 @@ TEST(Progress, TextSaysWhatIsKnown)
   EXPECT_EQ(apps::progress_text({"pull", 0.456, 1.2344, 1000}, 52300.4, 83),
             "pull  45 %, 1.234 s simulated, 52300 steps/s, 1:23 min left");
   EXPECT_EQ(apps::progress_text({"stones", -1, 0, 0}, 0, -1), "stones, 0.000 s simulated");
+  EXPECT_EQ(apps::progress_text({"pull", 0.456, 1.2344, 1000, 5, 6}, 0, -1),
+            "pull (5 of 6)  45 %, 1.234 s simulated");
 }
 
 TEST(Progress, DurationsReadLikeAClock)
@@ -72,6 +74,16 @@ TEST(Progress, FileGetsSentencesAndNoBar)
                                     "The pull is done.\n");
   }
   EXPECT_EQ(log.str(), screen.str());
+}
+
+TEST(Progress, BarIsCutToTheTerminal)
+{
+  std::ostringstream screen, log;
+  StoppedClock clock;
+  apps::ProgressDisplay display(
+      screen, true, log, [&clock] { return clock.time; }, [] { return std::size_t(40); });
+  display.show({"pull", 0.5, 1, 10});
+  EXPECT_EQ(screen.str(), "\r\033[K[###############...............] pull  5");
 }
 
 TEST(Progress, TerminalGetsABarThatLeavesNoTrace)

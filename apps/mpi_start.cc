@@ -1,0 +1,68 @@
+#include "apps/mpi_start.h"
+
+#include "dem/input_error.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+namespace interlock::apps
+{
+namespace
+{
+std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> session;
+
+// Tasks of an srun step that nobody tells of each other would all run the same case into the same
+// folder.
+void refuse_strangers()
+{
+  const char* tasks = std::getenv("SLURM_STEP_NUM_TASKS");
+  const char* rank = std::getenv("SLURM_PROCID");
+  if (!tasks || !rank || std::atoi(tasks) <= 1) return;
+  throw InputError(std::atoi(rank) > 0 ? std::string()
+                                       : std::string("srun starts ") + tasks +
+                                             " tasks that know nothing of each other; this version "
+                                             "runs on one rank: start it with \"srun -n 1\".");
+}
+
+// Open MPI (4.1) makes a lone process a job of one rank. By default it starts a daemon for that,
+// which looks for ssh, makes a folder in TMPDIR, and inside an srun step insists on Slurm's PMI.
+void prepare_lone_process()
+{
+  refuse_strangers();
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+  unsetenv("SLURM_STEP_ID"); // what it takes for `started by srun`
+}
+} // namespace
+
+bool started_by_launcher()
+{
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
+    if (std::getenv(name)) return true;
+  return false;
+}
+
+void start_mpi()
+{
+  if (session) return;
+  if (!started_by_launcher()) prepare_lone_process();
+  // No arguments: PETSc would answer --help and --version itself. One thread.
+  int n = 1;
+  std::string name = "interlock";
+  char* words[] = {name.data(), nullptr};
+  char** argv = words;
+  session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(n, argv, 1);
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1) return;
+  const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  throw InputError(
+      first ? "This version runs on one MPI rank; start it without mpirun or with \"-n 1\"." : "");
+}
+
+void stop_mpi()
+{
+  session.reset();
+}
+} // namespace interlock::apps
