@@ -13,7 +13,7 @@ import os
 import xml.etree.ElementTree
 
 # A run that is still writing holds a lock, which must not keep its pictures from being drawn.
-os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+os.environ["HDF5_USE_FILE_LOCKING"] = "FALSE"
 
 import h5py
 import matplotlib.pyplot as plt
