@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -I
 """Contact sheet of stones and their clumps, shaded, to scale, side by side.
 
     contact_sheet.py STONES_DIR [--clumps CLUMPS_DIR] [-o contact_sheet.png]
@@ -14,9 +14,8 @@ import glob
 import os
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+import plain_matplotlib  # before Matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 

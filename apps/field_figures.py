@@ -5,7 +5,8 @@ Reads the series of coupling/output/field_output.h with the HDF5 files that they
                    and `displacement` [m] of the stone since the first frame
     geogrid.xdmf   lines: beam elements
     contacts.xdmf  lines: from centre to centre of what touches; fields `force` [N] and
-                   `kind` (0 two stones, 1 stone and wall, 2 stone and rib)
+                   `kind` (0 two stones, 1 stone and wall, 2 stone and rib); no frame without contacts
+In the XDMF files the unit follows the name of a field: "force [N]".
 Imported by figures.py; needs h5py.
 """
 
@@ -13,7 +14,7 @@ import os
 import xml.etree.ElementTree
 
 # A run that is still writing holds a lock, which must not keep its pictures from being drawn.
-os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+os.environ["HDF5_USE_FILE_LOCKING"] = "FALSE"
 
 import h5py
 import matplotlib.pyplot as plt
@@ -46,9 +47,10 @@ class Series:
         return self.array(self.frames[frame].find("Topology")).reshape(-1, 2)
 
     def attribute(self, frame, name):
-        """One value or row a point or line. Raises KeyError when the file has no field of this name."""
+        """One value or row a point or line. Raises KeyError when the file has no field of this name, which is
+        given without its unit."""
         for attribute in self.frames[frame].iter("Attribute"):
-            if attribute.get("Name") == name:
+            if attribute.get("Name").partition(" [")[0] == name:
                 return self.array(attribute)
         raise KeyError(f"no field {name}")
 

@@ -1,11 +1,11 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -I
 """Pictures of finished or running pull-out tests.
 
     figures.py RUN_DIR                         all figures of one run, in RUN_DIR/figures
     figures.py RUN_DIR OTHER_RUN_DIR... -o FILE
                [--label TEXT]...               force over displacement of several runs in one figure
 
-Reads history.csv and summary.json of each run and, where there are any, the fields written for
+Reads history.csv, used.prm and summary.json of each run and, where there are any, the fields written for
 ParaView. A figure whose input is absent is left out with a sentence that says so. Ends with 2 when a
 folder holds no history at all.
 """
@@ -16,17 +16,39 @@ import json
 import os
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+import plain_matplotlib  # before Matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 
 # Okabe and Ito's colours, which colour-blind readers can tell apart.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+# Beside a colour, for those who see or print none.
+STYLES = ["-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (3, 1)), (0, (8, 3))]
+# The same colour and style in every figure; what is put in is black.
+ENERGIES = {
+    "kinetic_stones": (COLOURS[5], "-"), "kinetic_geogrid": (COLOURS[5], ":"),
+    "gravitational": (COLOURS[0], "-"),
+    "elastic_contacts": (COLOURS[2], "--"), "elastic_geogrid": (COLOURS[2], "-."),
+    "friction": (COLOURS[1], "-"),
+    "contact_damping": (COLOURS[4], "--"), "local_damping": (COLOURS[3], "-."), "geogrid_damping": (COLOURS[4], ":"),
+    "clamp_work": (COLOURS[6], "--"), "wall_work": (COLOURS[6], "-."), "inserted": (COLOURS[6], ":"),
+}
+# The thick line: the force is averaged over so much displacement [m].
+MEAN_LENGTH = 1e-3
+
 LABORATORY = "laboratory, 10 mm/s, Ferellec and McDowell 2010"
 # Plateau of the measured pull-out force by surcharge, read from the text of the paper [N].
 LABORATORY_PLATEAU = {0: 1000.0, 500: 2500.0}
+# What the laboratory tested, as far as used.prm says it: section/name -> value, to 1 %.
+LABORATORY_CASE = {
+    "Box/Length": 0.4, "Box/Width": 0.2, "Box/Height": 0.3,
+    "Geogrid/Apertures along": 6, "Geogrid/Apertures across": 3,
+    "Geogrid/Pitch along": 0.065, "Geogrid/Pitch across": 0.065,
+}
+# Its geogrid is a product of 30 kN/m that bears some 9.2 kN/m at 2 % strain: stiffness [N/m], to 20 %. It was
+# pulled at 10 mm/s; a pull many times faster is not to be held against it.
+LABORATORY_STIFFNESS, LABORATORY_FASTEST = 460e3, 0.015
 
 
 class InputError(Exception):
@@ -64,6 +86,33 @@ def read_summary(run):
         return json.load(file)
 
 
+def read_parameters(run):
+    """used.prm as "Section/Name" -> text, empty where there is none."""
+    path = os.path.join(run, "used.prm")
+    if not os.path.isfile(path):
+        return {}
+    parameters, section = {}, ""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        for line in file:
+            word, _, rest = line.strip().partition(" ")
+            if word == "subsection":
+                section = rest.strip() + "/"
+            elif word == "end":
+                section = ""
+            elif word == "set":
+                name, _, value = rest.partition("=")
+                parameters[section + name.strip()] = value.strip().strip('"')
+    return parameters
+
+
+def number(parameters, name):
+    """An entry as a number; not a number where there is none."""
+    try:
+        return float(parameters.get(name, ""))
+    except ValueError:
+        return np.nan
+
+
 def during_pull(history):
     """The records of the pull: those of its stage where stages are named, else all."""
     stage = history.get("stage")
@@ -87,21 +136,94 @@ def title_of(run, summary):
     return f"{kind} ({name})" if kind else name
 
 
-def draw_force(axes, history, colour, label):
-    """Pull force over displacement: thin as recorded, thick as filtered."""
+def geogrid_width(parameters):
+    """From outer edge to outer edge [m]; not a number where the run does not say."""
+    apertures, pitch, rib = (number(parameters, "Geogrid/" + name)
+                             for name in ("Apertures across", "Pitch across", "Rib width"))
+    return apertures * pitch + rib
+
+
+def surcharge_of_laboratory(parameters):
+    """The surcharge [N] of the paper's laboratory test that this run repeats; None where it is another case.
+
+    It must be the box and the geogrid of LABORATORY_CASE, a flexible one must be about as stiff as the
+    laboratory's, the pull about as slow, and the surcharge one of the paper's. A run that has no used.prm may
+    be anything and is not held against the laboratory."""
+    for name, value in LABORATORY_CASE.items():
+        if not abs(number(parameters, name) / value - 1) < 0.01:
+            return None
+    if not number(parameters, "Pull/Speed") <= LABORATORY_FASTEST:
+        return None
+    if parameters.get("Geogrid/Rigid") != "true":
+        modulus, width, thickness = (number(parameters, "Geogrid/" + name)
+                                     for name in ("Youngs modulus", "Rib width", "Rib thickness"))
+        stiffness = modulus * width * thickness / number(parameters, "Geogrid/Pitch across")
+        if not abs(stiffness / LABORATORY_STIFFNESS - 1) < 0.2:
+            return None
+    return next((load for load in LABORATORY_PLATEAU if abs(number(parameters, "Surcharge/Force") - load) < 1), None)
+
+
+def centred_mean(place, value, length):
+    """Mean of `value`, each of which is the mean since the place before it, over `length` around each place.
+
+    Towards the ends the windows become shorter, down to the first and the last value themselves: a window that is
+    shifted or cut off on one side lags behind a curve that rises, and halves its initial slope."""
+    integral = np.concatenate([[0], np.cumsum(value[1:] * np.diff(place))])
+    half = np.minimum(length / 2, np.minimum(place - place[0], place[-1] - place))
+    below, above = place - half, place + half
+    width = above - below
+    mean = np.interp(above, place, integral) - np.interp(below, place, integral)
+    return np.where(width > 0, mean / np.where(width > 0, width, 1), value)
+
+
+def draw_force(axes, history, colour, style, label):
+    """Pull force over displacement: thin the means between records, thick the mean over a millimetre."""
     pull = during_pull(history)
-    displacement = 1e3 * pull["displacement"]
-    filtered = pull.get("pull_force_filtered")
-    if filtered is None:
-        axes.plot(displacement, pull["pull_force"], color=colour, linewidth=1.2, label=label)
-        return
-    axes.plot(displacement, pull["pull_force"], color=colour, linewidth=0.5, alpha=0.45)
-    axes.plot(displacement, filtered, color=colour, linewidth=2.0, label=label)
+    place, force = pull["displacement"], pull["pull_force"]
+    # A mean between two records belongs to the middle between them; the first one has none before it.
+    middle = np.concatenate([place[:1], 0.5 * (place[1:] + place[:-1])])
+    axes.plot(1e3 * middle, force, color=colour, linewidth=0.5, alpha=0.45)
+    axes.plot(1e3 * place, centred_mean(place, force, MEAN_LENGTH), color=colour, linestyle=style, linewidth=2.0,
+              label=label)
 
 
-def draw_laboratory(axes, surcharges):
-    """Dotted line at the measured plateau of every surcharge that the paper has."""
-    drawn = sorted({load for load in LABORATORY_PLATEAU for mine in surcharges if abs(mine - load) < 1})
+def explain_lines(axes):
+    """Legend entries for thin and thick lines, in no run's colour."""
+    axes.plot([], [], color="0.4", linewidth=0.5, label="thin: mean between records")
+    axes.plot([], [], color="0.4", linewidth=2.0,
+              label=f"thick: centred mean over {1e3 * MEAN_LENGTH:g} mm, shorter at the ends")
+
+
+def first_words(sentence, most=60):
+    """The beginning of a sentence, whole words of it."""
+    sentence = sentence.strip().rstrip(".")
+    if len(sentence) <= most:
+        return sentence
+    return sentence[:most].rpartition(" ")[0].rstrip(" ,;:") + " ..."
+
+
+def unusable_part(summary):
+    """From which displacement on the results must not be used [mm] and why; None where all can."""
+    start = find_result(summary, "not_usable_from_mm")
+    start = summary.get("not_usable_from_mm") if start is None else start
+    if start is None:
+        return None
+    warnings = [str(warning) for warning in summary.get("warnings", [])]
+    about_use = [warning for warning in warnings if "usable" in warning or "not to be used" in warning]
+    reason = (about_use + warnings + [""])[0]
+    return float(start), first_words(reason)
+
+
+def shade_unusable(axes, part, colour, run):
+    """Grey from where on the results are not to be used, to the end; `run` in front where there are several."""
+    start, reason = part
+    label = "not to be used" + (": " + reason if reason else "")
+    axes.axvspan(start, max(start, axes.get_xlim()[1]), facecolor=colour, alpha=0.15, hatch="//", edgecolor=colour,
+                 linewidth=0, zorder=0, label=f"{run}, {label}" if run else label)
+
+
+def draw_laboratory(axes, drawn):
+    """Dotted line at the measured plateau of each of these surcharges [N]."""
     for load in drawn:
         plateau = LABORATORY_PLATEAU[load]
         axes.axhline(plateau, color="0.35", linestyle=":", linewidth=1.2)
@@ -122,29 +244,40 @@ def save(figure, path):
 
 def force_figure(runs, labels, path, with_laboratory):
     figure, axes = plt.subplots(figsize=(7.5, 4.8), layout="constrained")
-    surcharges = []
+    several, unusable = len(runs) > 1, []
+    parameters = [read_parameters(run) for run in runs]
     for i, run in enumerate(runs):
         history, summary = read_history(run), read_summary(run)
         if "displacement" not in history or "pull_force" not in history:
             raise InputError(f"{run}/history.csv: the columns displacement and pull_force are missing, "
                              "so this is not a pull-out test.")
         label = labels[i] if i < len(labels) else title_of(run, summary)
-        draw_force(axes, history, COLOURS[i % len(COLOURS)], label)
-        # The laboratory pulled at 10 mm/s; a pull many times faster is not to be held against it. Without
-        # a surcharge entry the plain test is what the paper compares first.
-        if (find_result(summary, "pull_speed") or 0) < 0.015:
-            surcharges.append(find_result(summary, "surcharge") or 0)
-    if with_laboratory:
-        draw_laboratory(axes, surcharges)
+        colour, style = COLOURS[i % len(COLOURS)], STYLES[i % len(STYLES)]
+        draw_force(axes, history, colour, style, label if several else None)
+        part = unusable_part(summary)
+        if part is not None:
+            unusable.append((part, colour if several else "0.3", label if several else ""))
+    axes.set_xlim(left=0, right=axes.dataLim.x1 or None)
+    for part, colour, label in unusable:
+        shade_unusable(axes, part, colour, label)
+    explain_lines(axes)
+    # Only where every run repeats the paper's test: a line that holds for one run would be read for all.
+    surcharges = [surcharge_of_laboratory(each) for each in parameters]
+    if with_laboratory and None not in surcharges:
+        draw_laboratory(axes, sorted(set(surcharges)))
     axes.set_xlabel("displacement of the pulled edge [mm]")
     axes.set_ylabel("pull-out force [N]")
-    axes.set_xlim(left=0)
     axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
     axes.grid(color="0.92")
     axes.set_axisbelow(True)
-    if len(runs) > 1:
-        axes.legend(frameon=False, loc="best")
-    else:
+    widths = [geogrid_width(each) for each in parameters]
+    if np.ptp(widths) < 1e-6:  # neither unknown nor different
+        width = widths[0]
+        right = axes.secondary_yaxis("right", functions=(lambda force: 1e-3 * force / width,
+                                                         lambda line_force: 1e3 * line_force * width))
+        right.set_ylabel(f"force over the geogrid's width of {1e3 * width:.0f} mm [kN/m]")
+    axes.legend(loc="best", fontsize=8, edgecolor="none", framealpha=0.8)
+    if not several:
         text = labels[0] if labels else title_of(runs[0], read_summary(runs[0]))
         axes.set_title("Pull-out test, " + text, fontsize=11)
     save(figure, path)
@@ -153,7 +286,7 @@ def force_figure(runs, labels, path, with_laboratory):
 def energy_figure(run, path):
     """Change of every ledger entry since the first record; entries too small to be seen are left out."""
     history = read_history(run)
-    entries = {name: values - values[0] for name, values in history.items()
+    entries = {name[len("energy_"):]: values - values[0] for name, values in history.items()
                if name.startswith("energy_") and not name.startswith("energy_interface")
                and name != "energy_relative_error" and values.dtype.kind == "f"}
     if not entries or "time" not in history:
@@ -162,10 +295,10 @@ def energy_figure(run, path):
     figure, axes = plt.subplots(figsize=(8.5, 4.8), layout="constrained")
     swing = {name: np.nanmax(np.abs(values)) for name, values in entries.items()}
     shown = [name for name in entries if swing[name] > 0.005 * max(swing.values())]
-    for i, name in enumerate(shown):
-        axes.plot(history["time"], entries[name], linewidth=1.4, color=COLOURS[i % len(COLOURS)],
-                  linestyle="-" if i < len(COLOURS) else "--",
-                  label=name[len("energy_"):].replace("_", " "))
+    for name in shown:
+        colour, style = ENERGIES.get(name, ("0.5", "-"))
+        axes.plot(history["time"], entries[name], linewidth=1.4, color=colour, linestyle=style,
+                  label=name.replace("_", " "))
     axes.set_xlabel("time [s]")
     axes.set_ylabel("change since the first record [J]")
     error = history.get("energy_relative_error")
@@ -193,7 +326,8 @@ def main():
     parser.add_argument("--label", action="append", default=[], metavar="TEXT",
                         help="name of a run in the legend, once for each run in the same order")
     parser.add_argument("--no-laboratory", action="store_true",
-                        help="leave out the laboratory's plateau, for a box or a pull unlike the paper's")
+                        help="leave out the laboratory's plateau, which is drawn where box, geogrid, speed and "
+                             "surcharge are the paper's")
     arguments = parser.parse_args()
     folder = os.path.join(arguments.runs[0], "figures")
     single = len(arguments.runs) == 1

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -I
 """Pictures of a finished or running heap.
 
     heap_figures.py RUN_DIR        heap.png, profile.png, energy.png in RUN_DIR/figures
@@ -12,7 +12,8 @@ import csv
 import os
 import sys
 
-import figures  # sets Matplotlib up to draw into files
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+import figures  # before Matplotlib, which it sets up
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -I
 """Pictures of a finished laboratory test of a geogrid.
 
     laboratory_figures.py RUN_DIR     curves.png and TEST.png (the deformed piece) in RUN_DIR/figures
@@ -11,7 +11,8 @@ import csv
 import os
 import sys
 
-import figures  # sets Matplotlib up to draw into files
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+import figures  # before Matplotlib, which it sets up
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -46,9 +47,9 @@ def draw_curves(paths, stated, target):
     for axis, ((deformation, load), members) in zip(axes[0], kinds.items()):
         percent = deformation.startswith("strain")
         kilo = load.endswith("[N/m]")
-        for colour, (test, path) in zip(figures.COLOURS, members):
+        for colour, style, (test, path) in zip(figures.COLOURS, figures.STYLES, members):
             axis.plot(np.array(path[2]) * (100 if percent else 1),
-                      np.array(path[3]) * (1e-3 if kilo else 1), color=colour, label=test)
+                      np.array(path[3]) * (1e-3 if kilo else 1), color=colour, linestyle=style, label=test)
             if test in stated:
                 axis.plot(*zip(*stated[test]), "o", color=colour, mfc="none", label="data sheet, " + test)
         axis.set_xlabel("strain [%]" if percent else words(deformation))

@@ -7,11 +7,10 @@
 
 namespace interlock::apps
 {
+// Refuses a folder whose used.prm and summary.json are those of two runs (case_hash.h).
 void add_report_command(CLI::App& program);
 
-// Draws FOLDER/figures/*.png with the script of its experiment, apps/figures.py or
-// apps/heap_figures.py (Python 3 with Matplotlib). The exit status of
-// the script: 0 done, 2 nothing to draw in the folder, anything else: it broke or Python is
-// missing.
+// Draws FOLDER/figures/*.png with the script of its experiment (figure_script.h) and returns
+// ScriptResult::status; where that is not 0, says the reason on the standard error.
 int draw_figures(const std::filesystem::path& folder);
 } // namespace interlock::apps

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -I
 """One Markdown table from the table.csv of several runs: measured / stated (ratio)."""
 
 import argparse

@@ -15,4 +15,4 @@ for case in "$here"/*.prm; do
   "$interlock" run "$case" -o "$folder/$product"
   runs+=("$folder/$product")
 done
-/usr/bin/python3 "$here/table.py" "${runs[@]}" -o "$folder/table.md"
+/usr/bin/python3 -I "$here/table.py" "${runs[@]}" -o "$folder/table.md"

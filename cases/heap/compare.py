@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -I
 """Heaps with other mass properties side by side: table, and a figure like the paper's Figure 7.
 
     compare.py RUN_DIR... -o FOLDER     heap.csv (one row a run), heap.md, heap.png in FOLDER

@@ -32,4 +32,4 @@ for seed in $(seq "$seeds"); do
       --set "Stones/Mass properties=$scheme" "$@" -o "$run"
   done
 done
-/usr/bin/python3 "$root/cases/heap/compare.py" "${runs[@]}" -o "$folder"
+/usr/bin/python3 -I "$root/cases/heap/compare.py" "${runs[@]}" -o "$folder"

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -I
 """Error of the principal moments of clumps against their number of spheres, as CSV and figure.
 
     figure.py clumps.report.json... -o FOLDER
@@ -11,10 +11,10 @@ import argparse
 import csv
 import json
 import os
+import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "apps"))
+import plain_matplotlib  # before Matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 

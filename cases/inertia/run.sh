@@ -24,4 +24,4 @@ for spheres in 10 20 50 100 150 200 300 500; do
     -o "$folder/clumps_$spheres"
   reports+=("$folder/clumps_$spheres/clumps.report.json")
 done
-/usr/bin/python3 "$root/cases/inertia/figure.py" "${reports[@]}" -o "$folder"
+/usr/bin/python3 -I "$root/cases/inertia/figure.py" "${reports[@]}" -o "$folder"

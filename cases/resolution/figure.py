@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -I
 """A stone and clumps of it beside one another, from the same direction and at the same scale.
 
     figure.py STONE.stl NAME.clump.json... -o FILE
@@ -8,14 +8,10 @@ import argparse
 import os
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "apps"))
+import contact_sheet  # before Matplotlib, which it sets up
 import matplotlib.pyplot as plt
 import numpy as np
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "apps"))
-import contact_sheet
 import stone_pictures as pictures
 
 # The published numbers of spheres and d_min, r_min [mm], p_max [%] of Table 4, in the order of the clumps.

@@ -22,5 +22,5 @@ for number in 1 2 3 4; do
     -o "$folder/set_$number.clump.json" --report "$folder/set_$number.report.json"
   clumps+=("$folder/set_$number.clump.json")
 done
-/usr/bin/python3 "$root/cases/resolution/figure.py" "$folder/stone/stone_001.stl" "${clumps[@]}" \
+/usr/bin/python3 -I "$root/cases/resolution/figure.py" "$folder/stone/stone_001.stl" "${clumps[@]}" \
   -o "$folder/resolution.png"

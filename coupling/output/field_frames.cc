@@ -96,10 +96,16 @@ void FieldFrames::write_geogrid(double time, const RibTransfer& geogrid)
   LatticeFields frame = lattice_fields(
       lattice, [&](int node) { return dynamics.position(node); },
       [&](int e) { return dynamics.section_forces(e); });
+  frame.fields.front().name = "displacement_from_unloaded";
   OutputField velocity = field("velocity", "m/s", FieldSupport::points, 3);
   for (int node = 0; node < lattice.n_nodes(); ++node)
     append(velocity.values, dynamics.velocity(node));
-  frame.fields.push_back(velocity);
+  // Both in single precision: where nothing has moved, zero.
+  OutputField displacement = field("displacement", "m", FieldSupport::points, 3);
+  const std::vector<float> now(frame.points.begin(), frame.points.end());
+  const std::vector<float>& first = geogrid_.frames() > 0 ? geogrid_.first_points() : now;
+  for (std::size_t k = 0; k < now.size(); ++k) displacement.values.push_back(now[k] - first.at(k));
+  frame.fields.insert(frame.fields.begin(), {displacement, velocity});
   geogrid_.write(time, frame.points, frame.lines, frame.fields);
 }
 
@@ -111,20 +117,26 @@ void FieldFrames::write_contacts(double time, const dem::Engine& engine,
   std::vector<int> lines;
   OutputField force = field("force", "N", FieldSupport::cells, 1);
   OutputField kind = field("kind", "-", FieldSupport::cells, 1);
-  auto add = [&](const Vector3& from, const Vector3& to, double size, double what) {
+  OutputField body = field("body", "-", FieldSupport::points, 1);
+  OutputField force_on_body = field("force_on_body", "N", FieldSupport::points, 3);
+  // Of clump i, `on_clump` is the force on it.
+  auto add = [&](int i, const Vector3& to, const Vector3& on_clump, double what, double partner) {
     const int n = static_cast<int>(points.size() / 3);
-    append(points, from);
+    append(points, clumps.position[i]);
     append(points, to);
     lines.insert(lines.end(), {n, n + 1});
-    force.values.push_back(size);
+    force.values.push_back(on_clump.norm());
     kind.values.push_back(what);
+    body.values.insert(body.values.end(), {static_cast<double>(clumps.id[i]), partner});
+    append(force_on_body.values, on_clump);
+    append(force_on_body.values, -on_clump);
   };
   for (const dem::SphereContact& c : engine.sphere_contacts())
-    if (c.touching) add(clumps.position[c.i], clumps.position[c.j], c.force.norm(), 0);
+    if (c.touching) add(c.i, clumps.position[c.j], c.force, 0, static_cast<double>(clumps.id[c.j]));
   for (const dem::WallContact& c : engine.wall_contacts())
-    if (c.touching) add(clumps.position[c.i], c.point, c.force.norm(), 1);
+    if (c.touching) add(c.i, c.point, c.force, 1, engine.walls()[c.wall].id);
   for (const dem::RibContact& c : rib_contacts)
-    if (c.overlap > 0) add(clumps.position[c.i], c.point, c.force.norm(), 2);
-  contacts_.write(time, points, lines, {force, kind});
+    if (c.overlap > 0) add(c.i, c.point, c.force, 2, c.rib);
+  contacts_.write(time, points, lines, {force, kind, body, force_on_body});
 }
 } // namespace interlock::coupling

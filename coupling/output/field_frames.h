@@ -9,11 +9,14 @@
 
 namespace interlock::coupling
 {
-// clumps: a point for each member sphere with `radius` [m], `clump` (its id) [-], `velocity` [m/s]
-// and `displacement` [m] of the clump since the first frame. geogrid: lines between nodes with
-// displacement, velocity and section forces. contacts: lines from a clump's centre to its partner's
-// centre, or to the contact point on a wall or rib, with `force` (size) [N] and `kind` (0 stones, 1
-// wall, 2 rib) [-].
+// `displacement` [m] is that since the first frame, which a pull-out writes at the start of the
+// pull. clumps: a point for each member sphere with `radius` [m], `clump` (its id) [-], `velocity`
+// [m/s] and `displacement` of the clump. geogrid: lines between nodes with `displacement`,
+// `displacement_from_unloaded` (as it was laid) [m], `velocity` and section forces. contacts: lines
+// from a clump's centre to its partner's centre, or to the contact point on a wall or rib, with
+// `force` (size) [N] and `kind` (0 stones, 1 wall, 2 rib) [-]; at both ends of a line `body` (id of
+// the clump, id of the wall, or number of the rib, a line of geogrid) [-] and `force_on_body`, a
+// vector [N].
 class FieldFrames
 {
 public:

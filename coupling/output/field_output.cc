@@ -4,7 +4,10 @@
 #include "coupling/files/hdf5_memory.h"
 #include "dem/input_error.h"
 
+#include <algorithm>
+#include <fstream>
 #include <iomanip>
+#include <iterator>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -47,8 +50,9 @@ std::string data_item(const std::string& path, const std::size_t rows, const std
 std::string attribute(const OutputField& field, const std::string& path)
 {
   const std::size_t columns = field.components;
+  const std::string shown = field.unit == "-" ? field.name : field.name + " [" + field.unit + "]";
   std::ostringstream text;
-  text << "        <Attribute Name=\"" << field.name << "\" AttributeType=\""
+  text << "        <Attribute Name=\"" << shown << "\" AttributeType=\""
        << (columns == 3 ? "Vector" : "Scalar") << "\" Center=\""
        << (field.support == FieldSupport::points ? "Node" : "Cell") << "\">"
        << data_item(path + field.name, field.values.size() / columns, columns, false)
@@ -96,6 +100,7 @@ fs::path XdmfSeries::frame_file(int frame) const
 void XdmfSeries::start()
 {
   grids_.clear();
+  first_points_.clear();
   fs::remove(stem_.string() + ".xdmf");
   fs::remove(stem_.string() + ".h5");
   delete_frames_from(0);
@@ -146,6 +151,34 @@ void XdmfSeries::write(const double time, const std::vector<double>& points,
   fs::create_directories(frame_file(0).parent_path());
   write_atomically(frame_file(frames()), file.bytes());
 
+  const bool empty = n_points == 0 || (topology_ == Topology::lines && n_lines == 0);
+  grids_.push_back(empty ? "" : grid_text(time, n_points, n_lines, fields));
+  try {
+    write_index();
+  } catch (...) {
+    grids_.pop_back();
+    throw;
+  }
+  if (frames() == 1) first_points_ = single(points);
+}
+
+const std::vector<float>& XdmfSeries::first_points()
+{
+  if (frames() == 0 || !first_points_.empty()) return first_points_;
+  std::ifstream in(frame_file(0), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::vector<double> points;
+  Hdf5Memory(bytes).read(frame_name(0) + "/points", points);
+  first_points_ = single(points);
+  return first_points_;
+}
+
+// Of the frame that comes next.
+std::string XdmfSeries::grid_text(const double time, const std::size_t n_points,
+                                  const std::size_t n_lines,
+                                  const std::vector<OutputField>& fields) const
+{
+  const std::string group = frame_name(frames());
   const std::string path =
       "frames/" + frame_file(frames()).filename().string() + ":/" + group + "/";
   std::ostringstream grid;
@@ -155,13 +188,7 @@ void XdmfSeries::write(const double time, const std::vector<double>& points,
        << topology_element(topology_, path, n_points, n_lines) << '\n';
   for (const OutputField& field : fields) grid << attribute(field, path);
   grid << "      </Grid>\n";
-  grids_.push_back(grid.str());
-  try {
-    write_index();
-  } catch (...) {
-    grids_.pop_back();
-    throw;
-  }
+  return grid.str();
 }
 
 // After the numbers, and by renaming: it never mentions a frame that is not there yet.
@@ -173,7 +200,11 @@ void XdmfSeries::write_index() const
        << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (const std::string& grid : grids_) text << grid;
   text << "    </Grid>\n  </Domain>\n</Xdmf>\n";
-  write_atomically(stem_.string() + ".xdmf", text.str());
+  const auto is_empty = [](const std::string& grid) { return grid.empty(); };
+  if (std::all_of(grids_.begin(), grids_.end(), is_empty))
+    fs::remove(stem_.string() + ".xdmf");
+  else
+    write_atomically(stem_.string() + ".xdmf", text.str());
 
   Hdf5Memory index;
   for (int frame = 0; frame < frames(); ++frame)

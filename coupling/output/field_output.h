@@ -13,8 +13,13 @@
 //                             makes no cells without it, and shows nothing)
 //   FIELD    n, n x 3, m or m x 3   float, attribute unit, for example "N"
 // where n counts points and m lines.
+//
+// NAME.xdmf names a field with its unit, "velocity [m/s]", for ParaView's menus and colour bars. It
+// leaves out frames without a point or without a line, which ParaView's older XDMF reader cannot
+// read; it is not there while there is no other frame. NAME.h5 has all of them.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -59,6 +64,10 @@ public:
   // Frames so far.
   int frames() const { return static_cast<int>(grids_.size()); }
 
+  // Coordinates of the first frame as they are in its file, in single precision [m]: what
+  // displacements are measured from, after a restart too. Empty before the first frame.
+  const std::vector<float>& first_points();
+
   template <class Archive> friend void exchange(Archive& archive, XdmfSeries& series)
   {
     archive("grids", series.grids_);
@@ -67,10 +76,13 @@ public:
 private:
   std::filesystem::path frame_file(int frame) const;
   void delete_frames_from(int frame) const;
+  std::string grid_text(double time, std::size_t n_points, std::size_t n_lines,
+                        const std::vector<OutputField>& fields) const;
   void write_index() const;
 
   std::filesystem::path stem_;
   Topology topology_;
-  std::vector<std::string> grids_; // XDMF text of each frame
+  std::vector<std::string> grids_;  // XDMF text of each frame, empty where that is left out
+  std::vector<float> first_points_; // in the file of the first frame, so not in a state
 };
 } // namespace interlock::coupling

@@ -1,15 +1,19 @@
 // A whole pull-out in a small box: 12 shapes, a geogrid of 2 x 2 apertures, 2 mm of fast pull.
 // Checked are laws that every run obeys (ledger, reproducible digits, mass, overlap, bounds and
 // work of the force), not numbers that the program printed before. Fails when a stage breaks, a
-// digit depends on the run, or energy is lost.
+// digit depends on the run, energy is lost, or displacements in the fields for ParaView are not
+// those since the start of the pull.
+#include "coupling/files/hdf5_memory.h"
 #include "coupling/pull_out/pull_out.h"
 #include "tests/run_case.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 using namespace interlock::coupling;
@@ -84,6 +88,31 @@ double recorded_work(const fs::path& history)
   return work;
 }
 
+// The displacements along the pull [m] in a frame of a series.
+std::vector<double> pulled(const fs::path& folder, const std::string& series, int frame)
+{
+  const std::string number = "00000" + std::to_string(frame);
+  std::ifstream in(folder / "frames" / (series + "_" + number + ".h5"), std::ios::binary);
+  const Hdf5Memory file({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()});
+  std::vector<double> vectors, along;
+  file.read("frame_" + number + "/displacement", vectors);
+  for (std::size_t k = 0; k < vectors.size(); k += 3) along.push_back(-vectors[k]);
+  return along;
+}
+
+// Stones and geogrid are measured from the same moment, the start of the pull, when neither has
+// moved; in the end the front edge has gone all the way, and nothing farther.
+void check_displacements(const fs::path& folder, const PullOutParameters& p)
+{
+  for (const char* series : {"clumps", "geogrid"})
+    for (const double way : pulled(folder, series, 0)) ASSERT_EQ(way, 0) << series;
+  const std::vector<double> ribs = pulled(folder, "geogrid", 1),
+                            stones = pulled(folder, "clumps", 1);
+  const double front = *std::max_element(ribs.begin(), ribs.end());
+  EXPECT_NEAR(front, p.pull.distance, 0.01 * p.pull.distance);
+  EXPECT_GT(*std::max_element(stones.begin(), stones.end()), 0.01 * front);
+}
+
 Summary run(const PullOutParameters& parameters, const std::string& name)
 {
   const fs::path folder = fs::temp_directory_path() / ("interlock_small_pull_out_" + name);
@@ -92,6 +121,7 @@ Summary run(const PullOutParameters& parameters, const std::string& name)
   const Summary summary = run_case<PullOut>(parameters, folder);
   EXPECT_TRUE(fs::exists(folder / "summary.json"));
   EXPECT_TRUE(fs::exists(folder / "clumps.h5"));
+  check_displacements(folder, parameters);
   // The forces that are written down have done the work that the ledger, which closes, knows of.
   const double work = summary.energy["pull_clamp_work_J"].get<double>();
   EXPECT_NEAR(recorded_work(folder / "history.csv"), work, 0.05 * work);

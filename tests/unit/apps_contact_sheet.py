@@ -74,7 +74,7 @@ class Sheet(unittest.TestCase):
 
     def draw(self, *arguments):
         script = os.path.join(APPS, "contact_sheet.py")
-        return subprocess.run(["/usr/bin/python3", "-B", script, *arguments], capture_output=True, text=True,
+        return subprocess.run([script, *arguments], capture_output=True, text=True,
                               check=False, cwd=self.scratch.name)
 
     def test_draws_stones_with_and_without_a_clump(self):

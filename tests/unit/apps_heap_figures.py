@@ -72,7 +72,7 @@ class Script(unittest.TestCase):
             file.write(text)
 
     def draw(self):
-        return subprocess.run([sys.executable, os.path.join(APPS, "heap_figures.py"), self.run], text=True,
+        return subprocess.run([os.path.join(APPS, "heap_figures.py"), self.run], text=True,
                               capture_output=True, check=False)
 
     def figures(self):

@@ -31,7 +31,7 @@ TABLE = """quantity,unit,measured,stated
 
 class Figures(unittest.TestCase):
     def run_script(self, folder):
-        return subprocess.run(["/usr/bin/python3", os.path.join(APPS, "laboratory_figures.py"), folder],
+        return subprocess.run([os.path.join(APPS, "laboratory_figures.py"), folder],
                               capture_output=True, text=True)
 
     def test_curves_without_fields(self):

@@ -1,0 +1,43 @@
+#include "apps/case_hash.h"
+
+#include "apps/parameter_scanner.h"
+#include "coupling/output/summary.h"
+#include "dem/input_error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <fstream>
+#include <set>
+
+namespace interlock::apps
+{
+namespace fs = std::filesystem;
+
+std::string case_hash(const fs::path& parameter_file)
+{
+  const ScannedFile scanned = scan_parameter_file(parameter_file);
+  if (!scanned.errors.empty()) throw InputError(scanned.errors.front());
+  std::set<std::string> lines;
+  for (const Assignment& entry : scanned.assignments)
+    if (entry.key() != "Output/Report" && entry.key() != "Output/Checkpoint interval")
+      lines.insert(entry.key() + "=" + entry.value + "\n");
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const std::string& line : lines)
+    for (const unsigned char letter : line) hash = (hash ^ letter) * 0x100000001b3u;
+  return coupling::hexadecimal(hash);
+}
+
+void require_one_run(const fs::path& folder)
+{
+  const fs::path used = folder / "used.prm", summary = folder / "summary.json";
+  if (!fs::is_regular_file(used) || !fs::is_regular_file(summary)) return;
+  std::ifstream stream(summary);
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  if (!json.is_object() || !json.contains("parameters_hash")) return;
+  if (json["parameters_hash"] != case_hash(used))
+    throw InputError("\"" + used.string() + "\" and \"" + summary.string() +
+                     "\" do not belong together: they are of two runs, or entries were changed "
+                     "since; nothing was drawn.");
+}
+} // namespace interlock::apps

@@ -1,0 +1,134 @@
+#include "apps/figure_script.h"
+
+#include <boost/algorithm/string.hpp>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace interlock::apps
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+constexpr const char* python = "/usr/bin/python3";
+
+fs::path find_script(const std::string& name)
+{
+  std::error_code error;
+  for (const fs::path& folder : script_folders())
+    if (fs::is_regular_file(folder / name, error)) return folder / name;
+  return {};
+}
+
+ScriptResult not_found(const std::string& name)
+{
+  std::vector<std::string> looked;
+  for (const fs::path& folder : script_folders()) looked.push_back("\"" + folder.string() + "\"");
+  return {127, "the script " + name + " is in none of the folders " + boost::join(looked, ", ") +
+                   "; copy apps/*.py of the sources into one of them."};
+}
+
+// What finding files takes, and a language in which every name of a folder can be printed.
+std::vector<std::string> own_environment()
+{
+  std::vector<std::string> variables = {"LC_ALL=C.UTF-8"};
+  for (const char* name : {"HOME", "PATH", "TMPDIR", "XDG_CACHE_HOME"})
+    if (const char* value = std::getenv(name)) variables.push_back(std::string(name) + "=" + value);
+  return variables;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& words)
+{
+  std::vector<char*> result;
+  for (std::string& word : words) result.push_back(word.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+std::string read_all(const int descriptor)
+{
+  std::string text;
+  char buffer[4096];
+  for (;;) {
+    const ssize_t n = read(descriptor, buffer, sizeof buffer);
+    if (n > 0) text.append(buffer, n);
+    if (n == 0 || (n < 0 && errno != EINTR)) return text;
+  }
+}
+
+// Starts the interpreter with the writing end of `pipe` as its error output; what posix_spawn says.
+int start(std::vector<std::string> arguments, const int (&pipe)[2], pid_t& child)
+{
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, pipe[1], STDERR_FILENO);
+  std::vector<std::string> variables = own_environment();
+  const int error = posix_spawn(&child, python, &actions, nullptr, pointers(arguments).data(),
+                                pointers(variables).data());
+  posix_spawn_file_actions_destroy(&actions);
+  return error;
+}
+
+// A traceback ends with what went wrong.
+std::string last_line(const std::string& text)
+{
+  const std::string trimmed = boost::trim_copy(text);
+  const auto newline = trimmed.rfind('\n');
+  return newline == std::string::npos ? trimmed : trimmed.substr(newline + 1);
+}
+
+std::string sentence(std::string text)
+{
+  if (!text.empty() && text.back() != '.') text += '.';
+  return text;
+}
+} // namespace
+
+std::vector<fs::path> script_folders()
+{
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  std::vector<fs::path> folders;
+  if (!program.empty())
+    folders = {program.parent_path() / "share" / "interlock", program,
+               program.parent_path().parent_path().parent_path() / "apps"};
+  folders.push_back(fs::path(INTERLOCK_SOURCE_DIR) / "apps");
+  return folders;
+}
+
+ScriptResult run_figure_script(const std::string& script, const std::string& argument)
+{
+  const fs::path file = find_script(script);
+  if (file.empty()) return not_found(script);
+  const std::vector<std::string> command = {python, "-I", file.string(), argument};
+  int pipe[2];
+  if (pipe2(pipe, O_CLOEXEC) != 0) return {127, sentence(std::strerror(errno))};
+  std::cout.flush();
+  pid_t child = 0;
+  const int error = start(command, pipe, child);
+  close(pipe[1]);
+  const std::string said = error == 0 ? read_all(pipe[0]) : "";
+  close(pipe[0]);
+  if (error != 0)
+    return {127, std::string(python) + " cannot be started: " + sentence(std::strerror(error))};
+
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status))
+    return {1, script + " was ended by signal " + std::to_string(WTERMSIG(status)) + "."};
+  const int code = WEXITSTATUS(status);
+  if (code == 0) std::cerr << said;
+  if (code == 0 || code == 2) return {code, code == 0 ? "" : sentence(last_line(said))};
+  return {code, last_line(said) + " (all of it: " + boost::join(command, " ") + ")."};
+}
+} // namespace interlock::apps

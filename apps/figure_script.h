@@ -1,0 +1,29 @@
+// Runs one of the scripts that draw figures (apps/*.py) in an environment of its own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace interlock::apps
+{
+struct ScriptResult {
+  // 0: done. 2: the input holds nothing to draw. Anything else: the script broke, or is not there,
+  // or Python is not.
+  int status = 0;
+  std::string reason; // one full sentence where `status` is not 0
+};
+
+// Where scripts are looked for, in this order: PREFIX/share/interlock of a program installed as
+// PREFIX/bin/interlock; the program's own folder; the sources around its build folder,
+// build/release/bin; the sources that it was built from.
+std::vector<std::filesystem::path> script_folders();
+
+// Runs `script` ("figures.py") with `argument`, without a shell, so that it may hold any character.
+// The interpreter is the system's, for which Debian packages Matplotlib and h5py, isolated
+// (python3 -I) and without the variables that the user's modules, virtual environments and shells
+// export: another Python's packages, another HDF5 library, settings of Matplotlib. What the script
+// prints goes to the standard output; the reason is the last line of what it says on its error
+// output.
+ScriptResult run_figure_script(const std::string& script, const std::string& argument);
+} // namespace interlock::apps
