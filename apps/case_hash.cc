@@ -5,8 +5,9 @@
 #include "dem/input_error.h"
 
 #include <nlohmann/json.hpp>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
 
-#include <cstdint>
 #include <fstream>
 #include <set>
 
@@ -18,14 +19,14 @@ std::string case_hash(const fs::path& parameter_file)
 {
   const ScannedFile scanned = scan_parameter_file(parameter_file);
   if (!scanned.errors.empty()) throw InputError(scanned.errors.front());
-  std::set<std::string> lines;
+  std::set<std::string> lines; // in ascending order
   for (const Assignment& entry : scanned.assignments)
-    if (entry.key() != "Output/Report" && entry.key() != "Output/Checkpoint interval")
+    if (entry.key() != "Output/Report" && entry.key() != "Output/Checkpoint interval" &&
+        entry.key() != "Unusual values")
       lines.insert(entry.key() + "=" + entry.value + "\n");
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const std::string& line : lines)
-    for (const unsigned char letter : line) hash = (hash ^ letter) * 0x100000001b3u;
-  return coupling::hexadecimal(hash);
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  return coupling::hexadecimal(XXH3_64bits(text.data(), text.size()));
 }
 
 void require_one_run(const fs::path& folder)

@@ -3,12 +3,14 @@
 #include "apps/case_templates.h"
 #include "coupling/heap/heap.h"
 #include "coupling/heap/heap_declarations.h"
+#include "coupling/heap/heap_forecast.h"
 #include "coupling/laboratory/laboratory.h"
 #include "coupling/laboratory/laboratory_declarations.h"
 #include "coupling/packing/packing.h"
 #include "coupling/packing/packing_declarations.h"
 #include "coupling/pull_out/pull_out.h"
 #include "coupling/pull_out/pull_out_declarations.h"
+#include "coupling/pull_out/pull_out_forecast.h"
 #include "coupling/run/run.h"
 #include "dem/input_error.h"
 
@@ -58,12 +60,49 @@ ReadyExperiment laboratory(const coupling::LaboratoryParameters& p,
   return [=](const coupling::RunRequest& run) { return simulation->run(run.folder); };
 }
 
+// What a run of an experiment with stages would take.
+template <class Simulation, class Parameters>
+coupling::Forecast forecast_of(const Parameters& parameters, const coupling::RunRequest& request)
+{
+  Simulation simulation(parameters);
+  simulation.prepare(request.monitor, request.entries);
+  return forecast(simulation);
+}
+
+// All of its steps are in the case, none is waited for.
+coupling::Forecast packing_forecast(const coupling::PackingParameters& parameters,
+                                    const coupling::RunRequest& request)
+{
+  coupling::PackingParameters p = parameters;
+  p.state.written.clear(); // a forecast writes nothing
+  coupling::Packing simulation(p);
+  simulation.prepare(request.monitor, request.entries);
+  const dem::Clumps& clumps = simulation.world().engine.clumps();
+  coupling::Forecast result;
+  result.clumps = clumps.size();
+  result.spheres = clumps.n_spheres();
+  result.time_step = simulation.world().clock.dt;
+  const auto spheres = static_cast<double>(result.spheres);
+  result.stages = {{"warm up", p.warm_up_steps * result.time_step, spheres, false},
+                   {"timed", p.timed_steps * result.time_step, spheres, false}};
+  return result;
+}
+
+// Equilibria have no steps in time: there is nothing to add to what the constructor checks.
+coupling::Forecast laboratory_forecast(const coupling::LaboratoryParameters& p,
+                                       const coupling::RunRequest& request)
+{
+  const coupling::Laboratory simulation(p, request.monitor);
+  return {};
+}
+
 // A row of the table from functions that know their own parameters only.
 template <class Parameters>
 Experiment row(const std::string& name, const char* template_text,
                void (*declare)(coupling::ParameterTable&, Parameters&),
                std::vector<coupling::ParameterProblem> (*check)(const Parameters&),
                ReadyExperiment (*prepare)(const Parameters&, const coupling::RunRequest&),
+               coupling::Forecast (*forecast)(const Parameters&, const coupling::RunRequest&),
                bool (*draws_figures)(const Parameters&))
 {
   const auto mine = [](const ExperimentParameters& p) -> const Parameters& {
@@ -80,6 +119,9 @@ Experiment row(const std::string& name, const char* template_text,
   experiment.prepare = [=](const ExperimentParameters& p, const coupling::RunRequest& request) {
     return prepare(mine(p), request);
   };
+  experiment.forecast = [=](const ExperimentParameters& p, const coupling::RunRequest& request) {
+    return forecast(mine(p), request);
+  };
   experiment.draws_figures = [=](const ExperimentParameters& p) { return draws_figures(mine(p)); };
   return experiment;
 }
@@ -90,16 +132,17 @@ const std::vector<Experiment>& experiments()
   static const std::vector<Experiment> table = {
       row<coupling::PullOutParameters>(
           "pull-out", pull_out_template(), coupling::declare_pull_out, coupling::check_pull_out,
-          pull_out, [](const coupling::PullOutParameters& p) { return p.output.report; }),
+          pull_out, forecast_of<coupling::PullOut>, [](const coupling::PullOutParameters& p) { return p.output.report; }),
       row<coupling::HeapParameters>(
           "heap", heap_template(), coupling::declare_heap, coupling::check_heap, heap,
+          forecast_of<coupling::Heap>,
           [](const coupling::HeapParameters& p) { return p.output.report; }),
       row<coupling::PackingParameters>("packing", packing_template(), coupling::declare_packing,
-                                       coupling::check_packing, packing,
+                                       coupling::check_packing, packing, packing_forecast,
                                        [](const coupling::PackingParameters&) { return false; }),
       row<coupling::LaboratoryParameters>(
           "laboratory", laboratory_template(), coupling::declare_laboratory,
-          coupling::check_laboratory, laboratory,
+          coupling::check_laboratory, laboratory, laboratory_forecast,
           [](const coupling::LaboratoryParameters& p) { return p.report; }),
   };
   return table;

@@ -10,6 +10,7 @@
 #include "coupling/parameters/parameter_table.h"
 #include "coupling/pull_out/pull_out_checks.h"
 #include "coupling/pull_out/pull_out_parameters.h"
+#include "coupling/run/forecast.h"
 #include "coupling/run/run_request.h"
 
 #include <filesystem>
@@ -39,6 +40,9 @@ struct Experiment {
   // Throws InputError when the parameters cannot be run; writes nothing. Of the request it heeds
   // what the folder need not exist for: entries, resume, monitor.
   std::function<ReadyExperiment(const ExperimentParameters&, const coupling::RunRequest&)> prepare;
+  // What a run would take; throws as `prepare`.
+  std::function<coupling::Forecast(const ExperimentParameters&, const coupling::RunRequest&)>
+      forecast;
   std::function<bool(const ExperimentParameters&)> draws_figures; // at the end of a run
 };
 

@@ -1,6 +1,7 @@
 // The program `interlock`. Exit codes: 0 done, 2 bad input, 3 the simulation failed, 130
 // interrupted.
 #include "apps/build_info.h"
+#include "apps/check_command.h"
 #include "apps/clump_command.h"
 #include "apps/interruption.h"
 #include "apps/mpi_start.h"
@@ -61,6 +62,7 @@ void add_commands(CLI::App& program)
   program.footer("Exit codes: 0 done, 2 bad input, 3 the simulation failed, 130 interrupted.\n"
                  "interlock COMMAND --help explains a command.");
   apps::add_run_command(program);
+  apps::add_check_command(program);
   apps::add_clump_command(program);
   apps::add_stones_command(program);
   apps::add_template_command(program);

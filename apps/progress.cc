@@ -80,15 +80,24 @@ void ProgressDisplay::start_stage(const coupling::Progress& progress, const Cloc
   stage_ = progress.stage;
   stage_start_ = now;
   steps_at_stage_start_ = progress.steps;
-  fraction_at_stage_start_ = std::max(0., progress.fraction);
+  start_phase(progress, now);
   // The first line of a stage comes after a moment, when its speed is known.
   last_line_ = now - std::chrono::duration_cast<Clock::duration>(line_interval - Seconds(1));
+}
+
+// What the time left is counted from: a stage may wait several times.
+void ProgressDisplay::start_phase(const coupling::Progress& progress, const Clock::time_point now)
+{
+  phase_start_ = now;
+  fraction_at_phase_start_ = last_fraction_ = std::max(0., progress.fraction);
 }
 
 void ProgressDisplay::show(const coupling::Progress& progress)
 {
   const auto now = now_();
   if (progress.stage != stage_) start_stage(progress, now);
+  if (progress.fraction < last_fraction_) start_phase(progress, now);
+  last_fraction_ = progress.fraction;
   const bool bar_due = terminal_ && now - last_bar_ > bar_interval;
   const bool line_due = now - last_line_ > line_interval;
   if (!bar_due && !line_due) return;
@@ -96,9 +105,10 @@ void ProgressDisplay::show(const coupling::Progress& progress)
   const double elapsed = Seconds(now - stage_start_).count();
   const double speed =
       elapsed > 0 ? static_cast<double>(progress.steps - steps_at_stage_start_) / elapsed : 0;
-  const double done = progress.fraction - fraction_at_stage_start_;
+  const double done = progress.fraction - fraction_at_phase_start_;
   // The first per cent says too little: a pull starts slowly.
-  const double left = done > 0.01 ? elapsed * (1 - progress.fraction) / done : -1;
+  const double left =
+      done > 0.01 ? Seconds(now - phase_start_).count() * (1 - progress.fraction) / done : -1;
   const std::string text = progress_text(progress, speed, left);
   if (line_due) {
     log_ << text << std::endl;

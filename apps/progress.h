@@ -44,6 +44,7 @@ public:
 
 private:
   void start_stage(const coupling::Progress& progress, Clock::time_point now);
+  void start_phase(const coupling::Progress& progress, Clock::time_point now);
   void clear_bar();
 
   std::ostream& screen_;
@@ -53,8 +54,8 @@ private:
   std::function<std::size_t()> line_width_; // a longer bar is cut
   bool bar_visible_ = false;
   std::string stage_;
-  Clock::time_point stage_start_, last_bar_, last_line_;
+  Clock::time_point stage_start_, phase_start_, last_bar_, last_line_;
   std::int64_t steps_at_stage_start_ = 0;
-  double fraction_at_stage_start_ = 0;
+  double fraction_at_phase_start_ = 0, last_fraction_ = 0;
 };
 } // namespace interlock::apps

@@ -1,6 +1,7 @@
 #include "apps/run_command.h"
 
 #include "apps/build_info.h"
+#include "apps/case_hash.h"
 #include "apps/interruption.h"
 #include "apps/mpi_start.h"
 #include "apps/output_folder.h"
@@ -113,6 +114,7 @@ coupling::Summary simulate(const RunInput& input, const coupling::RunRequest& re
   coupling::Summary summary = experiment(request);
   summary.version = INTERLOCK_VERSION;
   summary.origin = origin();
+  summary.parameters_hash = case_hash(request.folder / "used.prm");
   coupling::write_summary(request.folder / "summary.json", summary);
   return summary;
 }

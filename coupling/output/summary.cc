@@ -48,6 +48,7 @@ nlohmann::ordered_json to_json(const Summary& summary)
   const double per_step = summary.wall_time_per_step > 0 ? summary.wall_time_per_step : mean;
   return {{"version", summary.version},
           {"origin", object(summary.origin)},
+          {"parameters_hash", summary.parameters_hash},
           {"experiment", summary.experiment},
           {"ranks", summary.ranks},
           {"seed", summary.seed},

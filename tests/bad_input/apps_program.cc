@@ -152,7 +152,7 @@ TEST_F(Program, TellsItsVersionAndItsUse)
   EXPECT_EQ(out.find("interlock "), 0u) << out;
   run("--help");
   EXPECT_EQ(code, 0);
-  for (const char* command : {"run", "clump", "stones", "template", "report"})
+  for (const char* command : {"run", "check", "clump", "stones", "template", "report"})
     EXPECT_NE(out.find(std::string("\n  ") + command), std::string::npos) << command;
   EXPECT_EQ(err, "");
 }

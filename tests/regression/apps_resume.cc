@@ -54,7 +54,7 @@ json without_wall_times(const json& value)
   if (!value.is_object()) return value;
   json result = json::object();
   for (const auto& [key, entry] : value.items())
-    if (key.compare(0, 9, "wall_time") != 0 && key != "origin")
+    if (key.compare(0, 9, "wall_time") != 0 && key != "origin" && key != "parameters_hash")
       result[key] = without_wall_times(entry);
   return result;
 }

@@ -28,7 +28,7 @@ def without_wall_times(value):
         return [without_wall_times(entry) for entry in value]
     if isinstance(value, dict):
         return {key: without_wall_times(entry) for key, entry in value.items()
-                if not key.startswith("wall_time") and key != "origin"}
+                if not key.startswith("wall_time") and key not in ("origin", "parameters_hash")}
     return value
 
 

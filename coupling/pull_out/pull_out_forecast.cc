@@ -1,0 +1,73 @@
+#include "coupling/pull_out/pull_out_forecast.h"
+
+#include "coupling/pull_out/pull_out.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace interlock::coupling
+{
+namespace
+{
+// Of the quick case: share of the box that stones fill in the end, and simulated times of what ends by
+// itself: a filling (two or three pours that fall and come to rest), a flattening, a settling [s].
+constexpr double solid_share = 0.55;
+constexpr double filling_time = 1, flattening_time = 0.2, placing_time = 0.1, settling_time = 0.5;
+
+double mean_spheres(const dem::Clumps& clumps)
+{
+  std::size_t spheres = 0;
+  for (const dem::ClumpShape& shape : clumps.shapes()) spheres += shape.spheres.size();
+  return static_cast<double>(spheres) / static_cast<double>(clumps.shapes().size());
+}
+
+double mean_volume(const dem::Clumps& clumps)
+{
+  double volume = 0;
+  for (const dem::ClumpShape& shape : clumps.shapes()) volume += shape.volume;
+  return volume / static_cast<double>(clumps.shapes().size());
+}
+
+// Simulated time of a stage.
+struct Duration {
+  const PullOutParameters& parameters;
+  double operator()(const FillStage&) const { return filling_time; }
+  double operator()(const FlattenStage&) const { return flattening_time; }
+  double operator()(const PlaceStage&) const { return placing_time; }
+  double operator()(const AdaptStage&) const { return 0; }
+  double operator()(const LoadStage&) const { return settling_time; }
+  double operator()(const SettleStage&) const { return settling_time; }
+  double operator()(const PullStage&) const
+  {
+    const PullParameters& pull = parameters.pull;
+    return pull.distance / pull.speed + 0.5 * pull.ramp_time;
+  }
+};
+} // namespace
+
+Forecast forecast(const PullOut& experiment)
+{
+  const PullOutParameters& p = experiment.parameters();
+  const dem::Clumps& clumps = experiment.world().engine.clumps();
+  const double volume = p.box.length * p.box.width * p.box.height;
+  Forecast result;
+  result.clumps = clumps.size() > 0 ? clumps.size()
+                                    : std::llround(solid_share * volume / mean_volume(clumps));
+  result.spheres = std::llround(mean_spheres(clumps) * static_cast<double>(result.clumps));
+  result.time_step = experiment.world().clock.dt;
+  result.frames = p.output.field_frames + 1;
+  const double all = static_cast<double>(result.spheres);
+  // Stones there are on average: from none to half, from half to all, all.
+  double share = clumps.size() > 0 ? 1 : 0.25;
+  bool placed = experiment.world().geogrid() != nullptr;
+  for (const PullOut::Stage& stage : experiment.plan()) {
+    if (std::holds_alternative<FillStage>(stage) && placed) share = 0.75;
+    const std::string name = std::visit([](const auto& s) { return stage_name(s); }, stage);
+    result.stages.push_back({name, std::visit(Duration{p}, stage), share * all,
+                             placed && !p.geogrid.rigid});
+    if (std::holds_alternative<FillStage>(stage)) share = placed ? 1 : 0.5;
+    placed = placed || std::holds_alternative<PlaceStage>(stage);
+  }
+  return result;
+}
+} // namespace interlock::coupling

@@ -1,0 +1,31 @@
+#include "coupling/run/forecast.h"
+
+#include <cmath>
+
+namespace interlock::coupling
+{
+std::int64_t Forecast::steps(const StageForecast& stage) const
+{
+  return time_step > 0 ? std::llround(stage.simulated_time / time_step) : 0;
+}
+
+double Forecast::time(const StageForecast& stage) const
+{
+  const double per_step =
+      1.2e-9 * stage.mean_spheres +
+      (stage.has_flexible_ribs ? 70e-6 + 3.6e-9 * stage.mean_spheres : 0);
+  return static_cast<double>(steps(stage)) * per_step;
+}
+
+double Forecast::memory() const
+{
+  return 1.5e8 + 2e3 * static_cast<double>(spheres);
+}
+
+double Forecast::disk() const
+{
+  constexpr double per_sphere_and_frame = 25, per_clump_and_state = 1.5e3;
+  return per_sphere_and_frame * static_cast<double>(spheres) * frames +
+         4 * per_clump_and_state * static_cast<double>(clumps);
+}
+} // namespace interlock::coupling

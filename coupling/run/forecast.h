@@ -1,0 +1,33 @@
+// What a run will take, before it is made: for `interlock check`. Estimates from runs of the cases in
+// `cases/` on one core of an AMD EPYC (Zen 4), good to a factor of two.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace interlock::coupling
+{
+struct StageForecast {
+  std::string name;
+  double simulated_time = 0;    // [s]
+  double mean_spheres = 0;      // that are there on average
+  bool has_flexible_ribs = false;
+};
+
+struct Forecast {
+  std::string stones; // what was made of them, a sentence
+  std::vector<std::string> warnings;
+  std::int64_t clumps = 0, spheres = 0; // at the end
+  double time_step = 0;                 // [s]
+  std::vector<StageForecast> stages;
+  int frames = 0;
+
+  std::int64_t steps(const StageForecast& stage) const; // of a stage
+  // Processor time of a stage [s]: a step costs 1.2 ns for each sphere, and with flexible ribs, whose
+  // contacts and beams are sub-cycled, 3.6 ns more and 70 us.
+  double time(const StageForecast& stage) const;
+  double memory() const; // [bytes]: the program and 2 kB a sphere
+  double disk() const;   // [bytes]: frames, states
+};
+} // namespace interlock::coupling
