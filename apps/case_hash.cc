@@ -20,8 +20,7 @@ std::string case_hash(const fs::path& parameter_file)
   if (!scanned.errors.empty()) throw InputError(scanned.errors.front());
   std::set<std::string> lines;
   for (const Assignment& entry : scanned.assignments)
-    if (entry.key() != "Output/Report" && entry.key() != "Output/Checkpoint interval")
-      lines.insert(entry.key() + "=" + entry.value + "\n");
+    lines.insert(entry.key() + "=" + entry.value + "\n");
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const std::string& line : lines)
     for (const unsigned char letter : line) hash = (hash ^ letter) * 0x100000001b3u;
