@@ -21,9 +21,8 @@ std::string case_hash(const fs::path& parameter_file)
   if (!scanned.errors.empty()) throw InputError(scanned.errors.front());
   std::set<std::string> lines; // in ascending order
   for (const Assignment& entry : scanned.assignments)
-    if (entry.key() != "Output/Report" && entry.key() != "Output/Checkpoint interval" &&
-        entry.key() != "Unusual values")
-      lines.insert(entry.key() + "=" + entry.value + "\n");
+    lines.insert(entry.key() + "=" + entry.value + "
+");
   std::string text;
   for (const std::string& line : lines) text += line;
   return coupling::hexadecimal(XXH3_64bits(text.data(), text.size()));

@@ -8,8 +8,7 @@ namespace interlock::apps
 {
 // 16 digits that change when any entry of the parameter file changes: XXH3, 64 bits, of the lines
 // "Section/Name=value" in ascending order. Comments, layout and order of the file do not change
-// them, nor do Output/Report, Output/Checkpoint interval and Unusual values, with other values of
-// which a run may go on. Throws InputError when the file cannot be read.
+// them. Throws InputError when the file cannot be read.
 std::string case_hash(const std::filesystem::path& parameter_file);
 
 // Throws InputError, one sentence, when summary.json in the folder has an entry `parameters_hash`

@@ -210,8 +210,8 @@ def unusable_part(summary):
         return None
     warnings = [str(warning) for warning in summary.get("warnings", [])]
     about_use = [warning for warning in warnings if "usable" in warning or "not to be used" in warning]
-    reason = (about_use + warnings + [""])[0]
-    return float(start), first_words(reason)
+    because = find_result(summary, "not_usable_because")
+    return float(start), first_words(because or (about_use + warnings + [""])[0])
 
 
 def shade_unusable(axes, part, colour, run):

@@ -172,9 +172,6 @@ TEST_F(Report, HashOfACaseIsThatOfItsEntriesAlone)
   EXPECT_EQ(hash(""), "cbf29ce484222325");
   const std::string one = hash("set A = 1\nsubsection Pull\n  set Speed = 2\nend\n");
   EXPECT_EQ(hash("# more\nsubsection Pull\nset Speed=2\nend\nset A = 1 # text\n"), one);
-  EXPECT_EQ(hash("set A = 1\nsubsection Pull\n  set Speed = 2\nend\nsubsection Output\n"
-                 "  set Report = false\n  set Checkpoint interval = 5\nend\n"),
-            one);
   EXPECT_NE(hash("set A = 2\nsubsection Pull\n  set Speed = 2\nend\n"), one);
   EXPECT_NE(hash("set A = 1\nsubsection Pulls\n  set Speed = 2\nend\n"), one);
   EXPECT_NE(hash("set A = 1\nset Speed = 2\n"), one);

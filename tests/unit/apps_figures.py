@@ -296,6 +296,11 @@ class Cases(unittest.TestCase):
             label = shade.get_label()
             self.assertTrue(label.startswith("not to be used: The results are not usable from 1.5 mm on"), label)
             self.assertLess(len(label), 90)
+        # A reason of its own goes before the warnings.
+        with open(os.path.join(self.run_folder, "summary.json"), "w", encoding="utf-8") as file:
+            json.dump({"results": {"not_usable_from_mm": 1.0, "not_usable_because": "a rib yields"},
+                       "warnings": [reason]}, file)
+        self.assertEqual(self.drawn().patches[0].get_label(), "not to be used: a rib yields")
 
 
 if __name__ == "__main__":
