@@ -2,14 +2,14 @@
 
 #include "apps/parameter_scanner.h"
 #include "coupling/output/summary.h"
+#include "coupling/state/state_archive.h"
 #include "dem/input_error.h"
 
 #include <nlohmann/json.hpp>
-#define XXH_INLINE_ALL
-#include <xxhash.h>
 
+#include <algorithm>
 #include <fstream>
-#include <set>
+#include <vector>
 
 namespace interlock::apps
 {
@@ -19,13 +19,14 @@ std::string case_hash(const fs::path& parameter_file)
 {
   const ScannedFile scanned = scan_parameter_file(parameter_file);
   if (!scanned.errors.empty()) throw InputError(scanned.errors.front());
-  std::set<std::string> lines; // in ascending order
+  std::vector<std::string> lines;
   for (const Assignment& entry : scanned.assignments)
-    lines.insert(entry.key() + "=" + entry.value + "
-");
-  std::string text;
-  for (const std::string& line : lines) text += line;
-  return coupling::hexadecimal(XXH3_64bits(text.data(), text.size()));
+    lines.push_back(entry.key() + "=" + entry.value);
+  std::sort(lines.begin(), lines.end());
+  coupling::StateTree tree;
+  coupling::StateWriter archive(tree);
+  archive("lines", lines);
+  return coupling::hexadecimal(coupling::hash_of(tree));
 }
 
 void require_one_run(const fs::path& folder)

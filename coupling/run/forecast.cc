@@ -24,7 +24,7 @@ double Forecast::memory() const
 
 double Forecast::disk() const
 {
-  constexpr double per_sphere_and_frame = 25, per_clump_and_state = 1.5e3;
+  constexpr double per_sphere_and_frame = 42, per_clump_and_state = 1.5e3;
   return per_sphere_and_frame * static_cast<double>(spheres) * frames +
          4 * per_clump_and_state * static_cast<double>(clumps);
 }
