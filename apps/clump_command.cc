@@ -2,6 +2,7 @@
 
 #include "apps/clump_options.h"
 #include "apps/clump_table.h"
+#include "apps/clump_warnings.h"
 #include "apps/clump_writing.h"
 #include "apps/interruption.h"
 #include "apps/octahedron_command.h"
@@ -71,7 +72,7 @@ void make_one(const ClumpFiles& files, const ClumpOptions& options,
   const std::vector<dem::FileText> texts = clump_texts(stone, result);
   throw_if_interrupted();
   print_clump(result);
-  std::printf("%s", missed_targets(result).c_str());
+  std::printf("%s%s", missed_targets(result).c_str(), clump_warnings(result).c_str());
   write_files(texts);
   std::printf("Clump: '%s'\n", stone.clump.c_str());
   std::printf("%s", export_lines(stone, result).c_str());
@@ -134,8 +135,8 @@ void make_many(const ClumpFiles& files, const ClumpOptions& options,
   print_clump_table_means(clumps.results);
   for (std::size_t i = 0; i < clumps.results.size(); ++i) {
     const ClumpResult& result = clumps.results[i];
-    std::printf("%s%s%s", remarks(result).c_str(), missed_targets(result).c_str(),
-                export_remarks(*clumps.files[i], result).c_str());
+    std::printf("%s%s%s%s", remarks(result).c_str(), missed_targets(result).c_str(),
+                clump_warnings(result).c_str(), export_remarks(*clumps.files[i], result).c_str());
   }
   std::printf("%zu clumps in '%s'\n", clumps.results.size(), files.folder.c_str());
   write_report(files.report, clumps.results, clumps.refusals);

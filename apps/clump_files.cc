@@ -2,6 +2,7 @@
 
 #include "apps/output_folder.h"
 #include "dem/input_error.h"
+#include "dem/scans/stone_names.h"
 
 #include <algorithm>
 #include <cctype>
@@ -22,10 +23,12 @@ std::vector<std::string> stones_in(const std::string& folder)
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (is_named_as_stone(entry->path().string())) stones.push_back(entry->path().string());
+    if (dem::is_stone_file(*entry, dem::stone_endings)) stones.push_back(entry->path().string());
   if (error) throw InputError("The folder '" + folder + "' cannot be read.");
   if (stones.empty())
-    throw InputError("The folder '" + folder + "' has no .stl, .ply, .obj or .xyz file in it.");
+    throw InputError("The folder '" + folder +
+                     "' has no .stl, .ply, .obj or .xyz file in it (names that start with a dot "
+                     "do not count).");
   std::sort(stones.begin(), stones.end());
   return stones;
 }
@@ -146,9 +149,7 @@ void check_places(const ClumpFiles& files)
 
 bool is_named_as_stone(const std::string& path)
 {
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".xyz";
+  return dem::has_ending(path, dem::stone_endings);
 }
 
 ClumpFiles plan_clump_files(const ClumpArguments& arguments)

@@ -75,6 +75,7 @@ void print_clump(const ClumpResult& result)
               1e3 * report.surface_distance_max);
   std::printf("  volume of the spheres' union against the stone: %+.2f %% +- %.2f %%\n",
               100 * report.volume_error, 100 * report.volume_uncertainty);
+  std::printf("  groups of spheres that touch or overlap: %d\n", report.groups);
   std::printf("  %-16s %20s %20s %20s\n", "mass properties", "error of moments [%]",
               "axes off by [deg]", "centre off by [mm]");
   for (int k = 0; k < 3; ++k)
@@ -102,7 +103,9 @@ std::string remarks(const ClumpResult& result)
       "accepted although " + number(mesh.crossings.pairs) + " pairs of facets cross each other");
   add(!mesh.crossings.complete && result.facets > 0,
       "the search for facets that cross each other was given up: too many lie close together");
+  for (const std::string& note : mesh.notes) add(true, note);
   const dem::PointCloudDiagnosis& cloud = result.cloud;
+  for (const std::string& note : cloud.notes) add(true, note);
   add(cloud.duplicates_dropped > 0,
       number(cloud.duplicates_dropped) + " points that were there twice were dropped");
   add(cloud.disagreeing_normals > 0,
@@ -213,6 +216,7 @@ nlohmann::ordered_json clump_json(const ClumpResult& result)
       {"stopped_by", stop_text(report.stop)},
       {"volume_error", report.volume_error},
       {"volume_error_uncertainty", report.volume_uncertainty},
+      {"groups", report.groups},
       {"surface_distance_mean_m", report.surface_distance_mean},
       {"surface_distance_95_m", report.surface_distance_95},
       {"surface_distance_max_m", report.surface_distance_max},
@@ -234,7 +238,10 @@ nlohmann::ordered_json clump_json(const ClumpResult& result)
                           {"facets_without_area", mesh.facets_without_area},
                           {"crossing_pairs", mesh.crossings.pairs},
                           {"crossings_complete", mesh.crossings.complete},
-                          {"flipped", mesh.flipped}};
+                          {"corners_joined", mesh.corners_joined},
+                          {"corners_parted", mesh.corners_parted},
+                          {"flipped", mesh.flipped},
+                          {"notes", mesh.notes}};
   else
     entry["diagnosis"] = {{"points_read", cloud.points_read},
                           {"duplicates_dropped", cloud.duplicates_dropped},
@@ -244,7 +251,8 @@ nlohmann::ordered_json clump_json(const ClumpResult& result)
                           {"scatter_m", cloud.scatter},
                           {"scatter_over_spacing", cloud.scatter / cloud.spacing},
                           {"volume_excess_from_scatter", cloud.volume_excess},
-                          {"flipped", cloud.flipped}};
+                          {"flipped", cloud.flipped},
+                          {"notes", cloud.notes}};
   if (result.density > 0) {
     entry["density_kg_per_m3"] = result.density;
     entry["mass_kg"] = result.density * result.volume;

@@ -5,6 +5,7 @@
 #include "apps/output_folder.h"
 #include "apps/seed_option.h"
 #include "dem/input_error.h"
+#include "dem/scans/stone_names.h"
 #include "dem/stones/stone_form.h"
 #include "dem/stones/synthetic_stone.h"
 
@@ -50,7 +51,7 @@ void print_other_stones(const std::string& folder, std::size_t count)
   std::set<std::string> written;
   for (std::size_t i = 0; i < count; ++i) written.insert(file_name(i));
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    others += is_named_as_stone(entry.path().string()) &&
+    others += dem::is_stone_file(entry, dem::stone_endings) &&
               written.count(entry.path().filename().string()) == 0;
   if (others > 0)
     std::printf("Note: '%s' holds %zu other stone file%s too.\n", folder.c_str(), others,

@@ -1,6 +1,6 @@
 #include "coupling/parameters/stone_declarations.h"
 
-#include <boost/algorithm/string.hpp>
+#include "dem/scans/stone_names.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,8 +13,7 @@ namespace fs = std::filesystem;
 
 bool is_scan(const fs::directory_entry& entry)
 {
-  const std::string ending = boost::algorithm::to_lower_copy(entry.path().extension().string());
-  return ending == ".stl" || ending == ".ply" || ending == ".obj";
+  return dem::is_stone_file(entry, dem::mesh_endings);
 }
 } // namespace
 
@@ -59,7 +58,8 @@ void check_stones(const StoneParameters& stones, ParameterProblems& problems)
                  "\" cannot be read: ", error.message(), ".");
   else if (std::none_of(begin(files), end(files), is_scan))
     problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
-                 "\" holds no file that ends with .stl, .ply or .obj.");
+                 "\" holds no file that ends with .stl, .ply or .obj (names that start with a dot "
+                 "do not count).");
   if (stones.length_unit <= 0)
     problems.add("Stones/Length unit", "The length of one unit of the scans must be given with a "
                                        "folder of scans, for example 0.001 m for millimetres.");

@@ -2,6 +2,8 @@
 
 #include "dem/generator/clump_generator.h"
 #include "dem/input_error.h"
+#include "dem/scans/stone_file.h"
+#include "dem/scans/stone_names.h"
 #include "dem/stones/stone_size.h"
 #include "dem/stones/synthetic_stone.h"
 
@@ -17,20 +19,23 @@ struct NamedMesh {
   dem::TriangleMesh mesh;
 };
 
-std::vector<NamedMesh> read_scans(const StoneParameters& parameters)
+std::vector<NamedMesh> read_scans(const StoneParameters& parameters, const Monitor& monitor)
 {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(parameters.folder)) {
-    std::string type = entry.path().extension().string();
-    std::transform(type.begin(), type.end(), type.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    if (type == ".stl" || type == ".ply" || type == ".obj") files.push_back(entry.path());
-  }
+  for (const auto& entry : std::filesystem::directory_iterator(parameters.folder))
+    if (dem::is_stone_file(entry, dem::mesh_endings)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<NamedMesh> meshes;
-  for (const std::filesystem::path& file : files)
+  dem::StoneFileOptions options;
+  options.length_unit = parameters.length_unit;
+  for (const std::filesystem::path& file : files) {
+    dem::MeshDiagnosis diagnosis;
     meshes.push_back(
-        {file.stem().string(), dem::read_stone_mesh(file.string(), parameters.length_unit)});
+        {file.stem().string(), dem::read_stone_mesh(file.string(), options, &diagnosis)});
+    if (monitor.message)
+      for (const std::string& note : diagnosis.notes)
+        monitor.message("Stone " + meshes.back().name + ": " + note + ".");
+  }
   return meshes;
 }
 
@@ -66,7 +71,7 @@ Stone make_stone(const dem::TriangleMesh& mesh, const dem::ClumpParameters& para
 std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor)
 {
   const std::vector<NamedMesh> meshes =
-      parameters.folder.empty() ? synthetic(parameters) : read_scans(parameters);
+      parameters.folder.empty() ? synthetic(parameters) : read_scans(parameters, monitor);
 
   dem::ClumpParameters clump;
   clump.d_min = parameters.d_min;

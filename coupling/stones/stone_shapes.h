@@ -31,8 +31,8 @@ template <class Archive> void exchange(Archive& archive, Stone& stone)
   archive("longest", stone.longest, "m");
 }
 
-// One stone a file, in the order of the files' names, or the synthetic batch. Throws InputError
-// when a file is not a closed stone or a clump cannot be made of it.
+// One stone a file, in the order of names, or the synthetic batch; what the reader notes goes to
+// monitor.message. Throws InputError when a file is not a closed stone or makes no clump.
 std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor);
 
 // The shapes alone.

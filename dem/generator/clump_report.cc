@@ -1,5 +1,6 @@
 #include "dem/generator/clump_report.h"
 
+#include "dem/generator/sphere_groups.h"
 #include "dem/generator/union_volume.h"
 
 #include <algorithm>
@@ -82,5 +83,6 @@ void measure_errors(const std::vector<Vector3>& nodes, const MassProperties& sto
   const UnionVolume all(spheres);
   report.volume_error = (all.volume() - stone.volume) / stone.volume;
   report.volume_uncertainty = all.error() / stone.volume;
+  report.groups = sphere_groups(spheres);
 }
 } // namespace interlock::dem

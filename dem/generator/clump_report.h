@@ -38,6 +38,7 @@ struct ClumpReport {
   double surface_distance_max = 0;  // [m]
   double volume_error = 0;          // (union of the spheres - stone)/stone
   double volume_uncertainty = 0;    // of volume_error, from the sampling (union_volume.h)
+  int groups = 0;                   // of spheres that hang together (sphere_groups.h)
   // The body frame of the clump in the frame of the surface: x_surface = origin + rotation x_body.
   Vector3 origin = Vector3::Zero(); // [m]
   Quaternion rotation = Quaternion::Identity();

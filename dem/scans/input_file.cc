@@ -35,6 +35,37 @@ std::string InputFile::extension() const
   return result;
 }
 
+std::string_view InputFile::text() const
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  const std::string_view all = bytes_;
+  return all.substr(all.substr(0, mark.size()) == mark ? mark.size() : 0);
+}
+
+namespace
+{
+// Text whose characters take two or four bytes: marked as such, or Latin letters with zeros between
+// them. Empty for anything else.
+std::string wide_text(std::string_view start)
+{
+  using namespace std::literals;
+  const auto starts_with = [&](std::string_view mark) {
+    return start.substr(0, mark.size()) == mark;
+  };
+  const auto is_letter = [&](std::size_t k) { return start[k] > 31 && start[k] < 127; };
+  const auto is_zero = [&](std::size_t k) { return start[k] == 0; };
+  const char* name = "";
+  if (starts_with("\xFF\xFE\0\0"sv) || starts_with("\0\0\xFE\xFF"sv))
+    name = "UTF-32";
+  else if (starts_with("\xFF\xFE"sv) || starts_with("\xFE\xFF"sv))
+    name = "UTF-16";
+  else if (start.size() >= 4 && ((is_letter(0) && is_zero(1) && is_letter(2) && is_zero(3)) ||
+                                 (is_zero(0) && is_letter(1) && is_zero(2) && is_letter(3))))
+    name = "UTF-16";
+  return *name ? std::string("text in ") + name + ", to be saved as UTF-8 or ASCII" : "";
+}
+} // namespace
+
 std::string InputFile::content() const
 {
   using namespace std::literals;
@@ -50,19 +81,22 @@ std::string InputFile::content() const
       {"glTF"sv, "a glTF mesh"},
       {"Kaydara FBX"sv, "an FBX mesh"},
       {"OFF\n"sv, "an OFF mesh"},
+      {"OFF\r"sv, "an OFF mesh"},
       {"ISO-10303"sv, "a STEP model"},
       {"<?xml"sv, "an XML file"},
       {"<!DOCTYPE"sv, "a web page"},
       {"<html"sv, "a web page"},
       {"{"sv, "a JSON file"},
       {"ply\n"sv, "a PLY file"},
-      {"ply\r\n"sv, "a PLY file"},
+      {"ply\r"sv, "a PLY file"},
+      {"\0\5\x16\7"sv, "what a Mac keeps beside a file (AppleDouble)"},
   };
+  const std::string_view start = text().substr(0, 1000);
   for (const auto& [signature, name] : signatures)
-    if (bytes_.compare(0, signature.size(), signature) == 0) return name;
-  if (bytes_.compare(0, 6, "solid ") == 0 && bytes_.find("facet normal") < 1000)
+    if (start.substr(0, signature.size()) == signature) return name;
+  if (start.substr(0, 6) == "solid " && start.find("facet normal") != std::string_view::npos)
     return "an STL mesh";
-  return "";
+  return wide_text(start);
 }
 
 std::string quoted(std::string_view word)

@@ -20,12 +20,15 @@ public:
   static constexpr std::size_t largest_file = 2000000000; // [bytes], so that an int counts facets
 
   std::string_view bytes() const { return bytes_; }
+  // The same behind a byte order mark of UTF-8, which editors on Windows put at the head of text.
+  std::string_view text() const;
   std::string extension() const; // with the dot, in lower case
 
-  // What the first bytes say that the file is ("a JPEG picture", "an STL mesh"), or empty.
+  // What the first bytes of text() say that the file is ("a JPEG picture", "an STL mesh"), or
+  // empty.
   std::string content() const;
 
-  // Gives the memory back; bytes() is empty afterwards.
+  // Gives the memory back; bytes() and text() are empty afterwards.
   void release() { bytes_ = std::string(); }
 
   // Throws InputError with the sentence "KIND 'PATH' PARTS".

@@ -17,7 +17,15 @@ double six_volumes(const TriangleMesh& mesh, const std::array<int, 3>& t, const 
   return a.dot(b.cross(c));
 }
 
-void find_shells(const TriangleMesh& mesh, MeshDiagnosis& diagnosis)
+int count_parts(ConnectedParts& parts, int items)
+{
+  int count = 0;
+  for (int item = 0; item < items; ++item) count += parts.part(item) == item;
+  return count;
+}
+
+void find_shells(const TriangleMesh& mesh, const std::vector<std::array<int, 2>>& touching,
+                 MeshDiagnosis& diagnosis)
 {
   ConnectedParts parts(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
@@ -28,12 +36,16 @@ void find_shells(const TriangleMesh& mesh, MeshDiagnosis& diagnosis)
   std::vector<double> volumes(mesh.vertices.size(), 0); // by the vertex that stands for the shell
   for (const auto& t : mesh.triangles) volumes[parts.part(t[0])] += six_volumes(mesh, t, apex) / 6;
   double sum_of_sizes = 0, largest = 0;
-  for (std::size_t v = 0; v < volumes.size(); ++v) {
-    if (parts.part(static_cast<int>(v)) == static_cast<int>(v)) ++diagnosis.shells;
-    diagnosis.volume += volumes[v];
-    sum_of_sizes += std::abs(volumes[v]);
-    largest = std::max(largest, std::abs(volumes[v]));
+  diagnosis.volume = 0;
+  for (const double volume : volumes) {
+    diagnosis.volume += volume;
+    sum_of_sizes += std::abs(volume);
+    largest = std::max(largest, std::abs(volume));
   }
+  const int vertices = static_cast<int>(volumes.size());
+  diagnosis.shells = count_parts(parts, vertices);
+  for (const auto& pair : touching) parts.join(pair[0], pair[1]);
+  diagnosis.groups_of_shells = count_parts(parts, vertices);
   diagnosis.largest_shell_share = sum_of_sizes > 0 ? largest / sum_of_sizes : 0;
 }
 
@@ -56,14 +68,35 @@ std::string fault_of_crossings(const SelfIntersection& crossings)
        << ") m; mend the surface there, or accept it with --accept-crossings.";
   return text.str();
 }
+
+std::string gap_sentence(double gap)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << ", but its corners nearly meet (largest gap " << 1e3 * gap
+       << " mm): merge corners that are nearer than that before making a clump.";
+  return text.str();
+}
+
+std::string shells_sentence(const MeshDiagnosis& diagnosis)
+{
+  if (diagnosis.groups_of_shells == diagnosis.shells) return " separate closed surfaces";
+  const std::string corners = diagnosis.corners_parted == 1
+                                  ? "one corner"
+                                  : std::to_string(diagnosis.corners_parted) + " single corners";
+  return diagnosis.groups_of_shells == 1
+             ? " closed surfaces that touch each other in " + corners + " only"
+             : " closed surfaces, some of which touch each other in " + corners + " only";
+}
 } // namespace
 
-void diagnose_surface(const TriangleMesh& mesh, MeshDiagnosis& diagnosis)
+void diagnose_surface(const TriangleMesh& mesh, MeshDiagnosis& diagnosis,
+                      const std::vector<std::array<int, 2>>& touching)
 {
   if (mesh.triangles.empty()) return;
   diagnosis.edges = diagnose_edges(mesh);
   diagnosis.facets_without_area = count_facets_without_area(mesh);
-  find_shells(mesh, diagnosis);
+  find_shells(mesh, touching, diagnosis);
   if (diagnosis.closed() && diagnosis.shells == 1)
     diagnosis.crossings = find_self_intersection(mesh);
 }
@@ -75,14 +108,15 @@ std::string fault_of(const MeshDiagnosis& diagnosis)
   if (edges.open > 0)
     text << "is open: " << edges.open << " edges have a facet on one side only, around "
          << edges.holes << (edges.holes == 1 ? " hole" : " holes")
-         << "; close the holes before making a clump.";
+         << (diagnosis.largest_gap > 0 ? gap_sentence(diagnosis.largest_gap)
+                                       : "; close the holes before making a clump.");
   else if (edges.branching > 0)
     text << "is not a surface: " << edges.branching << " edges have more than two facets.";
   else if (edges.flipped > 0)
     text << "is not consistently oriented: at " << edges.flipped
          << " edges the two facets disagree about which side is outside.";
   else if (diagnosis.shells > 1)
-    text << "has " << diagnosis.shells << " separate closed surfaces, the largest with "
+    text << "has " << diagnosis.shells << shells_sentence(diagnosis) << ", the largest with "
          << 100 * diagnosis.largest_shell_share
          << " % of the volume; keep the one that is the stone.";
   else if (diagnosis.volume < 0 && diagnosis.flipped)

@@ -1,181 +1,168 @@
 #include "dem/scans/ply_file.h"
 
 #include "dem/scans/facet_polygon.h"
-#include "dem/scans/text_scanner.h"
+#include "dem/scans/ply_values.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace interlock::dem
 {
 namespace
 {
-// The data behind the header as a row of numbers, whatever the format.
-class Values
+class Reader
 {
 public:
-  Values(const InputFile& file, const PlyHeader& header)
-      : file_(file), header_(header), data_(file.bytes().substr(header.data)),
-        text_(file, data_, "", header.data_line)
+  Reader(const InputFile& file, const PlyHeader& header)
+      : file_(file), header_(header), values_(file, header)
   {
   }
 
-  double next(const PlyHeader::Type& type)
+  PlyData read()
   {
-    if (header_.format == PlyHeader::Format::text) return text_.number(text_.word_on_any_line());
-    return next_binary(type);
-  }
-
-  // The number of entries of a list, each of which takes bytes from what is left.
-  std::size_t next_count(const PlyHeader::Property& list)
-  {
-    const double count = next(list.count);
-    const bool is_text = header_.format == PlyHeader::Format::text;
-    const std::size_t left = is_text ? data_.size() - text_.position() : data_.size() - position_;
-    if (!(count >= 0) || count != std::floor(count) ||
-        count > static_cast<double>(left) / (is_text ? 1 : list.type.size))
-      file_.refuse("is damaged: a list is to have ", count, " entries in ", place(), ", but ", left,
-                   " bytes are left.");
-    return static_cast<std::size_t>(count);
-  }
-
-  void start_row(const PlyHeader::Element& element, std::size_t row)
-  {
-    element_ = &element;
-    row_ = row;
-  }
-
-  std::string place() const
-  {
-    if (header_.format == PlyHeader::Format::text) return "line " + std::to_string(text_.line());
-    return element_->name + " " + std::to_string(row_ + 1);
+    for (const PlyHeader::Element& element : header_.elements) {
+      if (element.is_named("vertex"))
+        read_vertices(element);
+      else if (element.is_facet())
+        read_facets(element);
+      else
+        skip(element);
+    }
+    return std::move(data_);
   }
 
 private:
-  template <class T> double swapped(const char* bytes, int size) const
+  // Columns of x, y and z, and behind them of the normal where the file is a cloud that has one.
+  std::vector<int> used_columns(const PlyHeader::Element& vertex) const
   {
-    char buffer[sizeof(T)];
-    std::memcpy(buffer, bytes, size);
-    if (header_.format == PlyHeader::Format::big_endian) std::reverse(buffer, buffer + size);
-    T value;
-    std::memcpy(&value, buffer, sizeof(T));
-    return static_cast<double>(value);
+    std::vector<int> columns;
+    for (const char* name : {"x", "y", "z"}) {
+      columns.push_back(vertex.column({name}));
+      if (columns.back() < 0)
+        file_.refuse("has vertices without the coordinate '", name, "': they have ",
+                     vertex.property_names(), ".");
+    }
+    if (header_.has_facets()) return columns;
+    for (const auto& names : normal_names)
+      if (const int column = vertex.column(names); column >= 0) columns.push_back(column);
+    if (columns.size() < 6) columns.resize(3);
+    return columns;
   }
 
-  double next_binary(const PlyHeader::Type& type)
+  void read_vertices(const PlyHeader::Element& element)
   {
-    using Type = PlyHeader::Type;
-    if (data_.size() - position_ < static_cast<std::size_t>(type.size))
-      file_.refuse("is cut short: it ends in ", place(), " of ", element_->rows, ".");
-    const char* bytes = data_.data() + position_;
-    position_ += type.size;
-    if (type.kind == Type::floating)
-      return type.size == 4 ? swapped<float>(bytes, 4) : swapped<double>(bytes, 8);
-    const bool has_sign = type.kind == Type::signed_integer;
-    switch (type.size) {
-    case 1:
-      return has_sign ? swapped<std::int8_t>(bytes, 1) : swapped<std::uint8_t>(bytes, 1);
-    case 2:
-      return has_sign ? swapped<std::int16_t>(bytes, 2) : swapped<std::uint16_t>(bytes, 2);
-    default:
-      return has_sign ? swapped<std::int32_t>(bytes, 4) : swapped<std::uint32_t>(bytes, 4);
+    const std::vector<int> columns = used_columns(element);
+    data_.single_precision = std::any_of(columns.begin(), columns.begin() + 3, [&](int column) {
+      return header_.is_single(element.properties[column].type);
+    });
+    std::vector<double> row(element.properties.size());
+    for (std::size_t r = 0; r < element.rows; ++r) {
+      values_.start_row(element, r);
+      for (std::size_t p = 0; p < row.size(); ++p)
+        if (std::find(columns.begin(), columns.end(), int(p)) != columns.end())
+          row[p] = values_.next(element.properties[p].type);
+        else
+          values_.skip(element.properties[p]);
+      const auto vector = [&](int first) {
+        return Vector3(row[columns[first]], row[columns[first + 1]], row[columns[first + 2]]);
+      };
+      const Vector3 x = vector(0);
+      if (!x.allFinite()) {
+        if (!header_.has_facets()) refuse_coordinate(x, values_.place(), "");
+        unusable_.emplace_back(static_cast<int>(r), values_.place());
+      }
+      data_.mesh.vertices.push_back(x);
+      if (columns.size() == 6) data_.normals.push_back(vector(3));
+    }
+  }
+
+  [[noreturn]] void refuse_coordinate(const Vector3& x, const std::string& place,
+                                      const std::string& user) const
+  {
+    file_.refuse("has a coordinate that is not a finite number in ", place, ": (", x[0], ", ", x[1],
+                 ", ", x[2], ")", user, ".");
+  }
+
+  void read_facets(const PlyHeader::Element& element)
+  {
+    const int column = element.column({"vertex_indices", "vertex_index"}, true);
+    if (element.rows > 0 && column < 0)
+      file_.refuse("has facets without a list 'vertex_indices': they have ",
+                   element.property_names(), ".");
+    const bool has_strips = element.is_strip();
+    std::vector<int> corners;
+    for (std::size_t r = 0; r < element.rows; ++r) {
+      values_.start_row(element, r);
+      for (std::size_t p = 0; p < element.properties.size(); ++p)
+        if (static_cast<int>(p) == column)
+          read_corners(element.properties[p], has_strips, corners);
+        else
+          values_.skip(element.properties[p]);
+      if (has_strips)
+        append_strips(corners);
+      else if (const std::string fault = append_polygon(corners, data_.mesh); !fault.empty())
+        file_.refuse("has ", fault, " in ", values_.place(), ": save the mesh with triangles.");
+    }
+  }
+
+  // Numbers of vertices; -1 where a strip ends.
+  void read_corners(const PlyHeader::Property& list, bool has_strips, std::vector<int>& corners)
+  {
+    const double vertices = static_cast<double>(data_.mesh.vertices.size());
+    corners.clear();
+    for (std::size_t left = values_.next_count(list); left > 0; --left) {
+      const double value = values_.next(list.type);
+      const bool is_vertex = value >= 0 && value < vertices && value == std::floor(value);
+      if (!is_vertex && !(has_strips && value == -1))
+        file_.refuse("has a facet with the vertex ", value, " in ", values_.place(),
+                     ", but its vertices go from 0 to ", vertices - 1, ".");
+      corners.push_back(static_cast<int>(value));
+      if (is_vertex && !unusable_.empty()) check_usable(corners.back());
+    }
+  }
+
+  void check_usable(int vertex) const
+  {
+    const auto found =
+        std::lower_bound(unusable_.begin(), unusable_.end(), std::make_pair(vertex, std::string()));
+    if (found != unusable_.end() && found->first == vertex)
+      refuse_coordinate(data_.mesh.vertices[vertex], found->second,
+                        ", which a facet in " + values_.place() + " uses");
+  }
+
+  // Each corner from the third on makes a triangle with the two in front of it; every second one
+  // turns the other way.
+  void append_strips(const std::vector<int>& corners)
+  {
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      if (corners[k] < 0) first = k + 1;
+      if (k < first + 2) continue;
+      const bool is_turned = (k - first) % 2 == 1;
+      data_.mesh.triangles.push_back(
+          {corners[is_turned ? k - 1 : k - 2], corners[is_turned ? k - 2 : k - 1], corners[k]});
+    }
+  }
+
+  void skip(const PlyHeader::Element& element)
+  {
+    if (element.properties.empty()) return;
+    for (std::size_t r = 0; r < element.rows; ++r) {
+      values_.start_row(element, r);
+      for (const PlyHeader::Property& property : element.properties) values_.skip(property);
     }
   }
 
   const InputFile& file_;
   const PlyHeader& header_;
-  std::string_view data_;
-  TextScanner text_;
-  std::size_t position_ = 0; // in binary data
-  const PlyHeader::Element* element_ = nullptr;
-  std::size_t row_ = 0;
+  PlyValues values_;
+  std::vector<std::pair<int, std::string>> unusable_; // vertices that are no point, and their place
+  PlyData data_;
 };
-
-void read_vertices(const InputFile& file, const PlyHeader::Element& element, Values& values,
-                   PlyData& data)
-{
-  const char* names[] = {"x", "y", "z", "nx", "ny", "nz"};
-  std::array<int, 6> columns;
-  for (int k = 0; k < 6; ++k) columns[k] = element.column(names[k]);
-  for (int k = 0; k < 3; ++k)
-    if (columns[k] < 0 || element.properties[columns[k]].is_list())
-      file.refuse("has vertices without the coordinate '", names[k], "'.");
-  const bool has_normals = columns[3] >= 0 && columns[4] >= 0 && columns[5] >= 0;
-  std::vector<double> row(element.properties.size());
-  for (std::size_t r = 0; r < element.rows; ++r) {
-    values.start_row(element, r);
-    for (std::size_t p = 0; p < row.size(); ++p) {
-      const PlyHeader::Property& property = element.properties[p];
-      if (property.is_list())
-        for (std::size_t left = values.next_count(property); left > 0; --left)
-          values.next(property.type);
-      else
-        row[p] = values.next(property.type);
-    }
-    const Vector3 x(row[columns[0]], row[columns[1]], row[columns[2]]);
-    if (!x.allFinite())
-      file.refuse("has a coordinate that is not a finite number in ", values.place(), ": (", x[0],
-                  ", ", x[1], ", ", x[2], ").");
-    data.mesh.vertices.push_back(x);
-    if (has_normals) data.normals.emplace_back(row[columns[3]], row[columns[4]], row[columns[5]]);
-  }
-}
-
-void read_facets(const InputFile& file, const PlyHeader::Element& element, Values& values,
-                 PlyData& data)
-{
-  int column = element.column("vertex_indices");
-  if (column < 0) column = element.column("vertex_index");
-  if (element.rows > 0 && (column < 0 || !element.properties[column].is_list()))
-    file.refuse("has faces without a list 'vertex_indices'.");
-  const double vertices = static_cast<double>(data.mesh.vertices.size());
-  std::vector<int> corners;
-  for (std::size_t r = 0; r < element.rows; ++r) {
-    values.start_row(element, r);
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      const PlyHeader::Property& property = element.properties[p];
-      const std::size_t count = property.is_list() ? values.next_count(property) : 1;
-      if (static_cast<int>(p) == column) corners.clear();
-      for (std::size_t k = 0; k < count; ++k) {
-        const double value = values.next(property.type);
-        if (static_cast<int>(p) != column) continue;
-        if (!(value >= 0 && value < vertices) || value != std::floor(value))
-          file.refuse("has a facet with the vertex ", value, " in ", values.place(),
-                      ", but its vertices go from 0 to ", vertices - 1, ".");
-        corners.push_back(static_cast<int>(value));
-      }
-    }
-    const std::string fault = append_polygon(corners, data.mesh);
-    if (!fault.empty())
-      file.refuse("has ", fault, " in ", values.place(), ": save the mesh with triangles.");
-  }
-}
-
-void skip(const PlyHeader::Element& element, Values& values)
-{
-  if (element.properties.empty()) return;
-  for (std::size_t r = 0; r < element.rows; ++r) {
-    values.start_row(element, r);
-    for (const PlyHeader::Property& property : element.properties)
-      for (std::size_t k = property.is_list() ? values.next_count(property) : 1; k > 0; --k)
-        values.next(property.type);
-  }
-}
 } // namespace
 
 PlyData read_ply(const InputFile& file, const PlyHeader& header)
 {
-  PlyData data;
-  Values values(file, header);
-  for (const PlyHeader::Element& element : header.elements) {
-    if (element.name == "vertex")
-      read_vertices(file, element, values, data);
-    else if (element.name == "face")
-      read_facets(file, element, values, data);
-    else
-      skip(element, values);
-  }
-  return data;
+  return Reader(file, header).read();
 }
 } // namespace interlock::dem

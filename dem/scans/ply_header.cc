@@ -57,7 +57,7 @@ PlyHeader::Property property_of(const InputFile& file, TextScanner& scanner)
 // nothing.
 void check_rows(const InputFile& file, const PlyHeader& header)
 {
-  std::size_t left = file.bytes().size() - header.data;
+  std::size_t left = file.text().size() - header.data;
   for (const PlyHeader::Element& element : header.elements) {
     std::size_t least = 0; // bytes of a row; one for each value in a text
     for (const PlyHeader::Property& property : element.properties)
@@ -72,26 +72,24 @@ void check_rows(const InputFile& file, const PlyHeader& header)
     left -= least * element.rows;
   }
 }
+
+void check_vertices(const InputFile& file, const PlyHeader& header)
+{
+  std::vector<std::string> names;
+  for (const PlyHeader::Element& element : header.elements) {
+    if (element.is_named("vertex")) return;
+    if (element.is_facet() && element.rows > 0 && header.rows("vertex") > 0)
+      file.refuse("has its facets in front of its vertices; save it with the vertices first.");
+    names.push_back(element.name);
+  }
+  file.refuse("has no element 'vertex' in its header, but ", listed(names), ".");
+}
 } // namespace
-
-int PlyHeader::Element::column(const std::string& property) const
-{
-  for (std::size_t k = 0; k < properties.size(); ++k)
-    if (properties[k].name == property) return static_cast<int>(k);
-  return -1;
-}
-
-std::size_t PlyHeader::rows(const std::string& element) const
-{
-  for (const Element& candidate : elements)
-    if (candidate.name == element) return candidate.rows;
-  return 0;
-}
 
 PlyHeader read_ply_header(const InputFile& file)
 {
   PlyHeader header;
-  TextScanner scanner(file, file.bytes());
+  TextScanner scanner(file, file.text());
   if (scanner.word() != "ply" || !scanner.next_line())
     file.refuse("cannot be read as a mesh: a PLY file starts with a line 'ply'.");
   bool has_format = false;
@@ -120,6 +118,7 @@ PlyHeader read_ply_header(const InputFile& file)
   header.data = scanner.position();
   header.data_line = scanner.line();
   check_rows(file, header);
+  check_vertices(file, header);
   return header;
 }
 } // namespace interlock::dem

@@ -4,6 +4,7 @@
 #include "dem/scans/input_file.h"
 #include "dem/scans/mesh_cleaning.h"
 #include "dem/scans/ply_file.h"
+#include "dem/scans/resolution.h"
 #include "dem/scans/text_scanner.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace
 PointCloud read_xyz(const InputFile& file)
 {
   PointCloud cloud;
-  TextScanner scanner(file, file.bytes(), ",;");
+  TextScanner scanner(file, file.text(), ",;");
   do {
     std::array<double, 6> row;
     std::size_t columns = 0;
@@ -47,7 +48,26 @@ PointCloud read_xyz(const InputFile& file)
   return cloud;
 }
 
-PointCloud read_points(const InputFile& file)
+struct CloudData {
+  PointCloud cloud; // file units
+  bool single_precision = false;
+};
+
+CloudData read_ply_cloud(const InputFile& file)
+{
+  const PlyHeader header = read_ply_header(file);
+  if (header.has_facets()) file.refuse("is no cloud: it has facets.");
+  PlyData data = read_ply(file, header);
+  if (data.normals.empty())
+    for (const PlyHeader::Element& element : header.elements)
+      if (element.is_named("vertex"))
+        file.refuse("has no normals: its vertices have ", element.property_names(),
+                    ", but a cloud needs nx, ny and nz (or normal_x and so on)",
+                    header.unknown_elements(), ".");
+  return {{std::move(data.mesh.vertices), std::move(data.normals)}, data.single_precision};
+}
+
+CloudData read_points(const InputFile& file)
 {
   const std::string extension = file.extension(), content = file.content();
   if (extension != ".xyz" && extension != ".ply")
@@ -55,12 +75,8 @@ PointCloud read_points(const InputFile& file)
   if (!content.empty() && !(content == "a PLY file" && extension == ".ply"))
     file.refuse("cannot be read as a cloud: its extension is ", extension, ", but it is ", content,
                 ".");
-  if (extension == ".xyz") return read_xyz(file);
-  PlyData data = read_ply(file, read_ply_header(file));
-  if (!data.mesh.triangles.empty())
-    file.refuse("is no cloud: it has ", data.mesh.triangles.size(), " facets.");
-  if (data.normals.empty()) file.refuse("has no normals: its vertices have no nx, ny and nz.");
-  return {std::move(data.mesh.vertices), std::move(data.normals)};
+  if (extension == ".xyz") return {read_xyz(file), false};
+  return read_ply_cloud(file);
 }
 
 void normalise(const InputFile& file, PointCloud& cloud, bool flip)
@@ -127,13 +143,17 @@ PointCloud read_point_cloud(const std::string& path, const StoneFileOptions& opt
 {
   InputFile file("Point cloud", path);
   check_length_unit(file, options.length_unit);
-  PointCloud cloud = read_points(file);
+  CloudData data = read_points(file);
+  PointCloud& cloud = data.cloud;
   file.release();
   PointCloudDiagnosis found;
   found.points_read = static_cast<int>(cloud.points.size());
   found.flipped = options.flip;
   normalise(file, cloud, options.flip);
   found.duplicates_dropped = drop_duplicates(cloud);
+  const std::string coarse =
+      check_resolution(file, cloud.points, data.single_precision, options.length_unit);
+  if (!coarse.empty()) found.notes.push_back(coarse);
   for (Vector3& x : cloud.points) x *= options.length_unit;
   if (diagnosis) *diagnosis = found;
 
@@ -150,7 +170,7 @@ PointCloud read_point_cloud(const std::string& path, const StoneFileOptions& opt
   found.body = properties.body;
   if (diagnosis) *diagnosis = found;
   check_body(file, points, found);
-  return cloud;
+  return std::move(cloud);
 }
 
 PointCloud read_point_cloud(const std::string& path, double length_unit)
@@ -165,7 +185,7 @@ bool is_point_cloud(const std::string& path)
   try {
     const InputFile file("Point cloud", path);
     if (file.extension() == ".xyz") return true;
-    return file.extension() == ".ply" && read_ply_header(file).rows("face") == 0;
+    return file.extension() == ".ply" && !read_ply_header(file).has_facets();
   } catch (const InputError&) {
     return false;
   }

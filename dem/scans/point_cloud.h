@@ -21,10 +21,13 @@ struct PointCloudDiagnosis {
   double scatter = 0;          // of the points along their normals, see cloud_properties [m]
   double volume_excess = 0;    // by which the scatter makes the volume too large, about [-]
   MassProperties body;         // of unit density, see cloud_properties
+  // What else the reader has to say, each the end of a sentence without the full stop.
+  std::vector<std::string> notes;
 };
 
 // Reads a cloud: .xyz is text with the columns x y z nx ny nz, separated by blanks, commas or
-// semicolons, with comments behind # or //; .ply has x, y, z, nx, ny, nz and no face. Normals of
+// semicolons, with comments behind # or //; .ply has x, y, z, nx, ny, nz (or normal_x and so on, in
+// any case of letters) and no facets. Normals of
 // .ply may have any length; in .xyz, which does not name its columns, they must be of length 1 to
 // within 10 %, or they may be colours. Throws InputError with one sentence that names the file and
 // the line (text) or point: the faults of a file as in read_stone_mesh; no normals; a normal of

@@ -13,7 +13,10 @@ struct StoneFileOptions {
 };
 
 // Reads an STL, PLY or OBJ file, merges vertices at the same place and drops degenerate and
-// duplicate facets (mesh_cleaning.h). The result is one closed surface with a positive volume in
+// duplicate facets (mesh_cleaning.h). Where that leaves open edges, corners nearer than 1e-6 of the
+// largest extent are joined (near_corners.h); corners in which the surface touches itself are
+// parted (touching_corners.h); coordinates too coarse so far from the origin are noted or refused
+// (resolution.h). The result is one closed surface with a positive volume in
 // metres. Throws InputError with one sentence that names the file and the numbers when it is
 // missing, no file, empty, of another format than its extension says, cut short or damaged (line,
 // facet or bytes), without facets, with a coordinate that is not a finite number, with a largest

@@ -8,7 +8,9 @@
 namespace interlock::dem
 {
 // Starts at the start of `text`, which is line `first_line` of the file. Words are separated by
-// blanks, tabs, carriage returns and the characters of `separators`.
+// blanks, tabs and the characters of `separators`. A line ends with LF, CR LF, CR CR LF (a file
+// converted twice) or CR alone. Where the first line ends with CR alone, CR and LF end a line each:
+// the byte behind the head of a binary file may happen to be an LF.
 class TextScanner
 {
 public:
@@ -21,6 +23,9 @@ public:
   std::string_view word_on_any_line();
   // Goes to the start of the next line; false when there is none.
   bool next_line();
+  // Goes past the next word of any line, a value that nobody asks for and that may be anything
+  // ("nan", "-1.#IND"). Throws InputError when the text ends before.
+  void skip_word();
 
   int line() const { return line_; }
   std::size_t position() const { return position_; } // of the next character in the text
@@ -29,12 +34,17 @@ public:
   // is none, or not finite, or (integer) does not fit into 64 bits.
   double number(std::string_view word) const;
   long long integer(std::string_view word) const;
+  // A number that may be infinite or none ("nan"): that is a fault only where the value is used.
+  double number_or_nan(std::string_view word) const;
 
 private:
+  [[noreturn]] void refuse_missing_number() const;
+
   const InputFile& file_;
   std::string_view text_;
   std::array<bool, 256> separates_{};
   std::size_t position_ = 0;
+  bool is_first_end_ = true, cr_alone_ = false; // of the line ends
   int line_;
 };
 } // namespace interlock::dem

@@ -150,7 +150,7 @@ TriangleMesh read_wall_mesh(const std::string& path, double length_unit)
 {
   InputFile file("Wall mesh", path);
   check_length_unit(file, length_unit);
-  TriangleMesh mesh = read_facets(file);
+  TriangleMesh mesh = read_facets(file).mesh;
   if (mesh.triangles.empty()) file.refuse("has no facet.");
   merge_vertices(mesh);
   for (Vector3& v : mesh.vertices) v *= length_unit;

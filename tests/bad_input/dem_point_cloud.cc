@@ -50,7 +50,12 @@ TEST_F(PointCloudFile, PlyWithoutNormals)
   expect_refused("a.ply",
                  "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                  "property float z\nend_header\n0 0 0\n",
-                 {"no normals", "nx, ny and nz"});
+                 {"no normals", "its vertices have 'x', 'y' and 'z'", "nx, ny and nz"});
+  expect_refused("b.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                 "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+                 "end_header\n0 0 0 nan 0 0\n",
+                 {"a normal that is not a finite number at point 1"});
 }
 
 TEST_F(PointCloudFile, HalfABall)

@@ -79,6 +79,52 @@ TEST_F(StoneSurface, SeveralShells)
   expect_refused(two, {"2 separate closed surfaces", "88.8889 % of the volume"});
 }
 
+// Two boxes that share one corner: each edge is sound, and each body too.
+TEST_F(StoneSurface, TouchingInACorner)
+{
+  const TriangleMesh large = solids::box(0.06, 0.04, 0.03);
+  const TriangleMesh small = shifted(solids::box(0.02, 0.02, 0.02), Vector3(0.04, 0.03, 0.025));
+  expect_refused(together(large, small),
+                 {"2 closed surfaces that touch each other in one corner", "90 % of the volume"});
+  const TriangleMesh apart = shifted(solids::box(0.02, 0.02, 0.02), Vector3(-0.2, 0, 0));
+  expect_refused(together(together(large, small), apart),
+                 {"3 closed surfaces, some of which touch each other in one corner only"});
+  const TriangleMesh second = shifted(solids::box(0.02, 0.02, 0.02), Vector3(-0.04, -0.03, -0.025));
+  expect_refused(together(together(large, small), second),
+                 {"3 closed surfaces that touch each other in 2 single corners only"});
+}
+
+// A cube with a pit whose tip comes up to a corner from inside: one surface that meets itself
+// there.
+TEST_F(StoneSurface, TouchingItselfInACornerIsNoted)
+{
+  TriangleMesh mesh = solids::box(0.02, 0.02, 0.02);
+  const int tip = static_cast<int>(mesh.vertices.size()) - 1; // (0.01, 0.01, 0.01)
+  // Opens at the bottom, in place of its first facet: corners 0, 2, 3, seen from below.
+  const int rim = static_cast<int>(mesh.vertices.size());
+  const std::array<int, 3> bottom = mesh.triangles[0];
+  Vector3 middle = Vector3::Zero();
+  for (const int v : bottom) middle += mesh.vertices[v] / 3;
+  for (const int v : bottom) {
+    const Vector3 x = 0.5 * middle + 0.5 * mesh.vertices[v];
+    mesh.vertices.push_back(x);
+  }
+  mesh.triangles.erase(mesh.triangles.begin());
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    mesh.triangles.push_back({bottom[k], bottom[next], rim + next});
+    mesh.triangles.push_back({bottom[k], rim + next, rim + k});
+    mesh.triangles.push_back({rim + k, rim + next, tip});
+  }
+  MeshDiagnosis diagnosis;
+  const TriangleMesh read = read_stone_mesh(with_mesh(mesh), {}, &diagnosis);
+  EXPECT_EQ(diagnosis.corners_parted, 1);
+  EXPECT_EQ(diagnosis.shells, 1);
+  EXPECT_EQ(read.vertices.size(), 8u + 3 + 1);
+  ASSERT_EQ(diagnosis.notes.size(), 1u);
+  EXPECT_EQ(diagnosis.notes[0], "its surface touches itself in 1 corner");
+}
+
 TEST_F(StoneSurface, TwoFacetsBackToBack)
 {
   TriangleMesh mesh = solids::octahedron(0.04);

@@ -145,6 +145,35 @@ TEST_F(PointCloudFiles, BinaryPly)
   }
 }
 
+TEST_F(PointCloudFiles, NamesOfNormals)
+{
+  const std::string rows = clouds::as_text(clouds::ellipsoid(Vector3(0.02, 0.015, 0.01), 400));
+  const std::vector<std::array<const char*, 6>> all = {
+      {"x", "y", "z", "normal_x", "normal_y", "normal_z"},
+      {"X", "Y", "Z", "NX", "NY", "NZ"},
+      {"x", "y", "z", "Normal_X", "Normal_Y", "Normal_Z"},
+      {"x", "y", "z", "scalar_Nx", "scalar_Ny", "scalar_Nz"}};
+  for (const auto& names : all) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex 400\n";
+    for (const char* name : names) text += std::string("property float ") + name + "\n";
+    const auto file = write("a.ply", text + "end_header\n" + rows);
+    EXPECT_TRUE(is_point_cloud(file.string()));
+    EXPECT_EQ(read_point_cloud(file.string(), 1).points.size(), 400u) << names[3];
+  }
+}
+
+TEST_F(PointCloudFiles, ByteOrderMarkAndLineEnds)
+{
+  const std::string rows = clouds::as_text(clouds::ellipsoid(Vector3(0.02, 0.015, 0.01), 400));
+  for (const char end : {'\n', '\r'}) {
+    std::string text = rows;
+    for (char& c : text)
+      if (c == '\n') c = end;
+    const auto file = write("a.xyz", "\xEF\xBB\xBF" + text);
+    EXPECT_EQ(read_point_cloud(file.string(), 1).points.size(), 400u);
+  }
+}
+
 TEST_F(PointCloudFiles, MeshesAndMissingFilesAreNoClouds)
 {
   EXPECT_FALSE(is_point_cloud("absent.ply"));
