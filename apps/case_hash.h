@@ -6,9 +6,9 @@
 
 namespace interlock::apps
 {
-// 16 digits that change when any entry of the parameter file changes: the hash (coupling/state/state_tree.h) of the lines
-// "Section/Name=value" in ascending order. Comments, layout and order of the file do not change
-// them. Throws InputError when the file cannot be read.
+// 16 digits that change when any entry of the parameter file changes: the hash
+// (coupling/state/state_tree.h) of the lines "Section/Name=value" in ascending order. Comments,
+// layout and order of the file do not change them. Throws InputError when the file cannot be read.
 std::string case_hash(const std::filesystem::path& parameter_file);
 
 // Throws InputError, one sentence, when summary.json in the folder has an entry `parameters_hash`

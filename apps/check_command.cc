@@ -23,8 +23,7 @@ struct CheckArguments {
 void print(const coupling::Forecast& forecast)
 {
   if (!forecast.stones.empty()) std::cout << forecast.stones << ".\n";
-  for (const std::string& warning : forecast.warnings)
-    std::cout << "warning: " << warning << '\n';
+  for (const std::string& warning : forecast.warnings) std::cout << "warning: " << warning << '\n';
   if (forecast.clumps > 0)
     std::cout << fmt::format("About {} stones of {} spheres together, time step {:.3g} us.\n",
                              forecast.clumps, forecast.spheres, 1e6 * forecast.time_step);

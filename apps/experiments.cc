@@ -132,7 +132,8 @@ const std::vector<Experiment>& experiments()
   static const std::vector<Experiment> table = {
       row<coupling::PullOutParameters>(
           "pull-out", pull_out_template(), coupling::declare_pull_out, coupling::check_pull_out,
-          pull_out, forecast_of<coupling::PullOut>, [](const coupling::PullOutParameters& p) { return p.output.report; }),
+          pull_out, forecast_of<coupling::PullOut>,
+          [](const coupling::PullOutParameters& p) { return p.output.report; }),
       row<coupling::HeapParameters>(
           "heap", heap_template(), coupling::declare_heap, coupling::check_heap, heap,
           forecast_of<coupling::Heap>,

@@ -1,5 +1,6 @@
 #include "coupling/heap/heap.h"
 
+#include "coupling/stones/stone_quality.h"
 #include "dem/walls/mesh_wall.h"
 
 #include <fmt/format.h>
@@ -67,10 +68,11 @@ void Heap::prepare(const Monitor& monitor, const std::vector<CaseEntry>&)
   releases = plan_drop(stones, parameters_.drop, parameters_.gravity);
   const double dt = world_.clock.dt;
   preparation_ = fmt::format(
-      "{} shapes of {:.1f} spheres on average, mean size {:.1f} mm; {} stones let go in {:.2f} s; "
+      "{} shapes of {:.1f} spheres on average, {}, mean size {:.1f} mm; {} stones let go in {:.2f} "
+      "s; "
       "{}",
-      stones.size(), static_cast<double>(spheres) / n, 1e3 * mean_size, releases.size(),
-      releases.back().time,
+      stones.size(), static_cast<double>(spheres) / n, quality_text(stones), 1e3 * mean_size,
+      releases.size(), releases.back().time,
       c.model.linear()
           ? time_step_budget(dt, world_.engine.expected_stable_step(densities, expected_contacts))
           : fmt::format("time step {:.3g} us", 1e6 * dt));
@@ -81,6 +83,7 @@ void Heap::prepare(const Monitor& monitor, const std::vector<CaseEntry>&)
 void Heap::begin(RunRecords& records) const
 {
   records.add_stage("stones", preparation_, preparation_time_);
+  for (const std::string& warning : quality_warnings(stones)) records.warn(warning);
 }
 
 void Heap::drop_lost_stones()

@@ -37,6 +37,7 @@ public:
   std::vector<std::string> history_columns() const;
   PhysicsLimits limits() const { return {}; }
   void begin(RunRecords& records) const; // logs the preparation
+  const std::string& preparation() const { return preparation_; } // what was made, for the log
   // Writes stones.csv and profile.csv, too.
   void finish(std::vector<Stage>& plan, RunRecords& records) const;
 

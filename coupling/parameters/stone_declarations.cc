@@ -22,8 +22,8 @@ void declare_stones(ParameterTable& table, StoneParameters& stones)
   table.open_section("Stones");
   table.offer_folder(
       "Folder", stones.folder,
-      "Folder of closed surface scans (STL, PLY, OBJ), relative to this file; empty: "
-      "synthetic stones.");
+      "Folder of closed surface scans (STL, PLY, OBJ), or of clumps made by interlock clump "
+      "(*.clump.json), relative to this file; empty: synthetic stones.");
   // 0 stands for `not given`: a wrong guess would make stones of the size of a house.
   table.offer("Length unit", stones.length_unit, 0, not_negative,
               "Length of one unit of the scans, 0.001 for millimetres; needed with a folder. [m]");
@@ -56,10 +56,16 @@ void check_stones(const StoneParameters& stones, ParameterProblems& problems)
   if (error)
     problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
                  "\" cannot be read: ", error.message(), ".");
-  else if (std::none_of(begin(files), end(files), is_scan))
+  const bool scans = !error && std::any_of(begin(files), end(files), is_scan);
+  const bool clumps = !error && !dem::clump_files(stones.folder).empty();
+  if (!error && !scans && !clumps)
     problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
-                 "\" holds no file that ends with .stl, .ply or .obj (names that start with a dot "
-                 "do not count).");
+                 "\" holds no file that ends with .stl, .ply, .obj or .clump.json (names that start "
+                 "with a dot do not count).");
+  if (scans && clumps)
+    problems.add("Stones/Folder", "The folder \"", stones.folder,
+                 "\" holds scans and clumps; move one of them elsewhere.");
+  if (clumps) return; // in metres
   if (stones.length_unit <= 0)
     problems.add("Stones/Length unit", "The length of one unit of the scans must be given with a "
                                        "folder of scans, for example 0.001 m for millimetres.");

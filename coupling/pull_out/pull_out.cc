@@ -2,7 +2,7 @@
 
 #include "coupling/pull_out/protocol.h"
 #include "coupling/stones/filled_box.h"
-#include "coupling/stones/stone_shapes.h"
+#include "coupling/stones/stone_quality.h"
 
 #include <fmt/format.h>
 
@@ -75,15 +75,16 @@ void PullOut::prepare(const Monitor& monitor, const std::vector<CaseEntry>& entr
     return;
   }
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<dem::ClumpShape> shapes = make_stone_shapes(parameters_.stones, monitor);
-  n_shapes = static_cast<int>(shapes.size());
+  const std::vector<Stone> stones = make_stones(parameters_.stones, monitor);
+  n_shapes = static_cast<int>(stones.size());
   double volume = 0;
   std::size_t spheres = 0;
-  for (dem::ClumpShape& shape : shapes) {
+  for (const Stone& stone : stones) {
+    const dem::ClumpShape& shape = stone.shape;
     volume += shape.volume;
     spheres += shape.spheres.size();
     for (const dem::Sphere& sphere : shape.spheres) mean_sphere_radius += sphere.radius;
-    world_.engine.clumps().add_shape(std::move(shape));
+    world_.engine.clumps().add_shape(shape);
   }
   mean_sphere_radius /= static_cast<double>(spheres);
   mean_size = std::cbrt(6 / M_PI * volume / n_shapes);
@@ -93,9 +94,10 @@ void PullOut::prepare(const Monitor& monitor, const std::vector<CaseEntry>& entr
   world_.clock.set_step(choose_time_step(parameters_.time, stable));
   walls = build_box(world_.engine, parameters_.box, stone_on_box_);
   world_.engine.set_local_damping(parameters_.filling.local_damping);
-  preparation_ =
-      fmt::format("{} stones of {} spheres on average, mean size {:.1f} mm; {}", n_shapes,
-                  spheres / n_shapes, 1e3 * mean_size, time_step_budget(world_.clock.dt, stable));
+  preparation_ = fmt::format("{} stones of {} spheres on average, {}, mean size {:.1f} mm; {}",
+                             n_shapes, spheres / n_shapes, quality_text(stones), 1e3 * mean_size,
+                             time_step_budget(world_.clock.dt, stable));
+  stone_warnings_ = quality_warnings(stones);
   preparation_time_ =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -157,6 +159,7 @@ void PullOut::begin(RunRecords& records) const
 {
   records.add_stage(start_ ? "start" : "stones", preparation_, preparation_time_);
   if (start_) records.summary.results = start_->results;
+  for (const std::string& warning : stone_warnings_) records.warn(warning);
 }
 
 std::unique_ptr<RibTransfer> PullOut::make_geogrid() const

@@ -44,6 +44,8 @@ public:
   std::vector<std::string> history_columns() const;
   PhysicsLimits limits() const;
   void begin(RunRecords& records) const; // logs the preparation
+  const std::string& preparation() const { return preparation_; } // what was made, for the log
+  const std::vector<std::string>& stone_warnings() const { return stone_warnings_; }
   void finish(std::vector<Stage>& plan, RunRecords& records) const;
 
   World& world() { return world_; }
@@ -85,6 +87,7 @@ private:
   dem::ContactProperties stone_on_stone_, stone_on_box_, stone_on_rib_;
   World world_;
   std::string preparation_;         // what it made, for the log
+  std::vector<std::string> stone_warnings_;
   double preparation_time_ = 0;     // wall-clock [s]
   std::optional<StartState> start_; // empty: an empty box
 };

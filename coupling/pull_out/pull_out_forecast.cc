@@ -9,8 +9,9 @@ namespace interlock::coupling
 {
 namespace
 {
-// Of the quick case: share of the box that stones fill in the end, and simulated times of what ends by
-// itself: a filling (two or three pours that fall and come to rest), a flattening, a settling [s].
+// Of the quick case: share of the box that stones fill in the end, and simulated times of what ends
+// by itself: a filling (two or three pours that fall and come to rest), a flattening, a settling
+// [s].
 constexpr double solid_share = 0.55;
 constexpr double filling_time = 1, flattening_time = 0.2, placing_time = 0.1, settling_time = 0.5;
 
@@ -51,8 +52,10 @@ Forecast forecast(const PullOut& experiment)
   const dem::Clumps& clumps = experiment.world().engine.clumps();
   const double volume = p.box.length * p.box.width * p.box.height;
   Forecast result;
-  result.clumps = clumps.size() > 0 ? clumps.size()
-                                    : std::llround(solid_share * volume / mean_volume(clumps));
+  result.stones = experiment.preparation();
+  result.warnings = experiment.stone_warnings();
+  result.clumps =
+      clumps.size() > 0 ? clumps.size() : std::llround(solid_share * volume / mean_volume(clumps));
   result.spheres = std::llround(mean_spheres(clumps) * static_cast<double>(result.clumps));
   result.time_step = experiment.world().clock.dt;
   result.frames = p.output.field_frames + 1;
@@ -63,8 +66,8 @@ Forecast forecast(const PullOut& experiment)
   for (const PullOut::Stage& stage : experiment.plan()) {
     if (std::holds_alternative<FillStage>(stage) && placed) share = 0.75;
     const std::string name = std::visit([](const auto& s) { return stage_name(s); }, stage);
-    result.stages.push_back({name, std::visit(Duration{p}, stage), share * all,
-                             placed && !p.geogrid.rigid});
+    result.stages.push_back(
+        {name, std::visit(Duration{p}, stage), share * all, placed && !p.geogrid.rigid});
     if (std::holds_alternative<FillStage>(stage)) share = placed ? 1 : 0.5;
     placed = placed || std::holds_alternative<PlaceStage>(stage);
   }

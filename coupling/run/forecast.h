@@ -1,5 +1,5 @@
-// What a run will take, before it is made: for `interlock check`. Estimates from runs of the cases in
-// `cases/` on one core of an AMD EPYC (Zen 4), good to a factor of two.
+// What a run will take, before it is made: for `interlock check`. Estimates from runs of the cases
+// in `cases/` on one core of an AMD EPYC (Zen 4), good to a factor of two.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@ namespace interlock::coupling
 {
 struct StageForecast {
   std::string name;
-  double simulated_time = 0;    // [s]
-  double mean_spheres = 0;      // that are there on average
+  double simulated_time = 0; // [s]
+  double mean_spheres = 0;   // that are there on average
   bool has_flexible_ribs = false;
 };
 
@@ -24,8 +24,8 @@ struct Forecast {
   int frames = 0;
 
   std::int64_t steps(const StageForecast& stage) const; // of a stage
-  // Processor time of a stage [s]: a step costs 1.2 ns for each sphere, and with flexible ribs, whose
-  // contacts and beams are sub-cycled, 3.6 ns more and 70 us.
+  // Processor time of a stage [s]: a step costs 1.2 ns for each sphere, and with flexible ribs,
+  // whose contacts and beams are sub-cycled, 3.6 ns more and 70 us.
   double time(const StageForecast& stage) const;
   double memory() const; // [bytes]: the program and 2 kB a sphere
   double disk() const;   // [bytes]: frames, states

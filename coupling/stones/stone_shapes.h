@@ -14,11 +14,13 @@ namespace interlock::coupling
 // The centre and the axes of the scan do not.
 struct Stone {
   dem::ClumpShape shape;
-  dem::Vector3 centre;   // of volume of the closed surface, body frame of the clump [m]
-  dem::Quaternion axes;  // of the clump, body to scan: x_scan = axes * (x_body - centre), where
-                         // the origin of x_scan is the centre of volume
-  double elongation = 0; // I/L of Zingg (1935): 1 for a cube, small for a rod (stone_size.h) [-]
-  double longest = 0;    // L [m]
+  dem::Vector3 centre;     // of volume of the closed surface, body frame of the clump [m]
+  dem::Quaternion axes;    // of the clump, body to scan: x_scan = axes * (x_body - centre), where
+                           // the origin of x_scan is the centre of volume
+  double elongation = 0;   // I/L of Zingg (1935): 1 for a cube, small for a rod (stone_size.h) [-]
+  double longest = 0;      // L [m]
+  int groups = 1;          // of spheres that touch each other; 1: the clump is in one piece
+  double volume_error = 0; // of the union of the spheres, over the stone's volume [-]
 
   static constexpr bool stored_as_groups = true;
 };
@@ -29,15 +31,19 @@ template <class Archive> void exchange(Archive& archive, Stone& stone)
   archive("axes", stone.axes);
   archive("elongation", stone.elongation);
   archive("longest", stone.longest, "m");
+  archive("groups", stone.groups);
+  archive("volume_error", stone.volume_error);
 }
 
 // One stone a file, in the order of names, or the synthetic batch; what the reader notes goes to
-// monitor.message. Throws InputError when a file is not a closed stone or makes no clump.
+// monitor.message. A folder of clumps that `interlock clump` has made (*.clump.json) is taken as it
+// is: their scans are not there, so the centre of a stone is that of mass, and its axes are
+// measured on the spheres, along the principal ones. Throws InputError when a file is not a closed
+// stone or makes no clump.
 std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor);
 
-// The shapes alone.
-std::vector<dem::ClumpShape> make_stone_shapes(const StoneParameters& parameters,
-                                               const Monitor& monitor);
+// Whether the folder of scans holds such clumps.
+bool holds_clumps(const StoneParameters& parameters);
 
 // Where the centre of mass of the clump lies [m] and how it is turned (body to world) when the
 // centre of its stone is at `place` [m] and the scan is turned by `attitude` (scan to world): the

@@ -21,4 +21,19 @@ bool is_stone_file(const std::filesystem::directory_entry& entry,
   return entry.path().filename().string()[0] != '.' && has_ending(entry.path(), endings) &&
          !entry.is_directory(error);
 }
+
+std::vector<std::filesystem::path> clump_files(const std::filesystem::path& folder)
+{
+  const std::string ending = ".clump.json";
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name[0] != '.' && name.size() > ending.size() &&
+        name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+      files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
 } // namespace interlock::dem

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <vector>
 
 namespace interlock::dem
 {
@@ -18,4 +19,8 @@ bool has_ending(const std::filesystem::path& path, std::initializer_list<const c
 // is a stone, so that it gets missed.
 bool is_stone_file(const std::filesystem::directory_entry& entry,
                    std::initializer_list<const char*> endings);
+
+// The clumps (*.clump.json) in a folder, by name; hidden files do not count. Empty when there are
+// none or the folder cannot be read.
+std::vector<std::filesystem::path> clump_files(const std::filesystem::path& folder);
 } // namespace interlock::dem

@@ -78,14 +78,14 @@ TEST_F(SmallHeap, ObeysTheLaws)
   const Summary corrected = run_case<Heap>(small_heap("mesh"), folder);
   // The mass properties of the meshes are other ones, of the same volumes, and the stones come to
   // rest elsewhere, by far more than rounding.
-  const auto uniform = make_stone_shapes(small_heap("uniform").stones, {}),
-             mesh = make_stone_shapes(small_heap("mesh").stones, {});
+  const auto uniform = make_stones(small_heap("uniform").stones, {}),
+             mesh = make_stones(small_heap("mesh").stones, {});
   ASSERT_EQ(uniform.size(), 5u);
   ASSERT_EQ(mesh.size(), 5u);
   for (std::size_t k = 0; k < 5; ++k) {
-    EXPECT_NEAR(mesh[k].volume, uniform[k].volume, 1e-12 * uniform[k].volume);
-    EXPECT_GT((mesh[k].unit_inertia - uniform[k].unit_inertia).norm(),
-              0.01 * uniform[k].unit_inertia.norm());
+    const dem::ClumpShape &one = uniform[k].shape, &other = mesh[k].shape;
+    EXPECT_NEAR(other.volume, one.volume, 1e-12 * one.volume);
+    EXPECT_GT((other.unit_inertia - one.unit_inertia).norm(), 0.01 * one.unit_inertia.norm());
   }
   EXPECT_GT(std::abs(corrected.results["radius_of_gyration_m"].get<double>() -
                      s.results["radius_of_gyration_m"].get<double>()),
