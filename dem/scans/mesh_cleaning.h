@@ -7,8 +7,8 @@
 namespace interlock::dem
 {
 // Gives vertices at exactly the same place one number, and drops those that no facet uses. What is
-// left is ordered by first use. Returns by how many the vertices became fewer. No tolerance: that of
-// near_corners.h is for surfaces that stay open.
+// left is ordered by first use. Returns by how many the vertices became fewer. No tolerance: that
+// of near_corners.h is for surfaces that stay open.
 int merge_vertices(TriangleMesh& mesh);
 
 // Drops facets with two equal corners; the edges of their neighbours still meet. Returns how many.

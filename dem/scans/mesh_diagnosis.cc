@@ -74,7 +74,7 @@ std::string gap_sentence(double gap)
   std::ostringstream text;
   text.precision(3);
   text << ", but its corners nearly meet (largest gap " << 1e3 * gap
-       << " mm): merge corners that are nearer than that before making a clump.";
+       << " mm): merge corners that are at most that far apart before making a clump.";
   return text.str();
 }
 

@@ -143,9 +143,12 @@ JoinedSurface join_near_corners(const TriangleMesh& mesh, double tolerance)
 double closing_gap(const TriangleMesh& mesh)
 {
   const double extent = extents(mesh).maxCoeff();
+  const int branching = diagnose_edges(mesh).branching;
   for (double share = 10 * joined_gap; share < 2 * largest_near_gap; share *= 10) {
     const JoinedSurface joined = join_near_corners(mesh, share * extent);
-    if (joined.joined > 0 && joined.edges.open == 0) return joined.largest_gap;
+    if (joined.edges.open == 0 && joined.edges.branching <= branching &&
+        joined.degenerate_facets == 0)
+      return joined.largest_gap;
   }
   return 0;
 }

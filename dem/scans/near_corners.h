@@ -27,7 +27,7 @@ JoinedSurface join_near_corners(const TriangleMesh& mesh, double tolerance);
 // largest gap over which corners are said to nearly meet, for the user to judge.
 constexpr double joined_gap = 1e-6, largest_near_gap = 1e-3; // [-]
 
-// The smallest gap that closes the whole surface when corners are joined over it; 0 if none up to
-// largest_near_gap does.
+// A gap that closes the whole surface when corners are joined over it, and no facet vanishes (or it
+// is a small hole); 0 if none up to largest_near_gap does.
 double closing_gap(const TriangleMesh& mesh);
 } // namespace interlock::dem

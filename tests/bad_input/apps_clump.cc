@@ -175,6 +175,43 @@ TEST_F(ClumpProgram, StonesAreWrittenWholeOrNotAtAll)
                  {"'x' has one sphere"});
 }
 
+// A Mac leaves "._NAME" beside each file on a disk that is not its own.
+TEST_F(ClumpProgram, HiddenFilesAreNoStones)
+{
+  for (const char* name : {"a/._scan.stl", "a/._x.stl", "hidden/._x.stl"}) {
+    fs::create_directories((work / name).parent_path());
+    std::ofstream(work / name) << std::string("\0\5\x16\7", 4);
+  }
+  expect_refusal("$I clump hidden" + spheres,
+                 {"'hidden' has no .stl", "names that start with a dot do not count"});
+  expect_refusal("$I clump a/._x.stl" + spheres + "-o x.clump.json", {"a/._x.stl", "AppleDouble"});
+  run("$I clump a" + spheres + "-o out");
+  EXPECT_EQ(code, 0) << err;
+  EXPECT_NE(out.find("2 clumps in 'out'"), std::string::npos) << out;
+}
+
+// Two or three balls of a stone of 40 mm, drawn anywhere on it, rarely meet.
+TEST_F(ClumpProgram, WarnsOfAClumpInPieces)
+{
+  int pieces = 0;
+  for (const char* seed : {"1", "2", "3"}) {
+    run("$I clump a/x.stl --d-min 0.004 --r-min 0.002 --max-spheres 3 --seed " + std::string(seed) +
+        " -o x.clump.json");
+    EXPECT_EQ(code, 0) << err;
+    const bool is_apart =
+        text_of(work / "x.report.json").find("\"groups\": 1,") == std::string::npos;
+    pieces += is_apart;
+    EXPECT_EQ(out.find("groups that do not touch each other: choose a larger --max-spheres and "
+                       "--d-min not above --r-min.") != std::string::npos,
+              is_apart)
+        << out;
+    EXPECT_NE(out.find("less volume than the stone: choose a larger --max-spheres."),
+              std::string::npos)
+        << out;
+  }
+  EXPECT_GT(pieces, 0);
+}
+
 TEST_F(ClumpProgram, TheCommonCasesGoThrough)
 {
   run("$I clump a/x.stl" + spheres + "-o run1.clump.json");

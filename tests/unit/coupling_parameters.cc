@@ -258,6 +258,7 @@ TEST(CheckParameters, WantsScansAndTheirUnitInTheStonesFolder)
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::ofstream(folder / "notes.txt") << "no stone";
+  std::ofstream(folder / "._stone.stl") << "no stone either";
   PullOutParameters parameters = fitting_parameters();
   parameters.stones.folder = folder.string();
   parameters.stones.length_unit = 0.001;

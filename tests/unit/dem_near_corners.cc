@@ -124,6 +124,30 @@ TEST_F(NearCornersFile, SmallFacetsAreKept)
   EXPECT_EQ(joined.edges.open, before);
 }
 
+// Its corners are not the same corner: merging over its edges would take facets away everywhere.
+TEST_F(NearCornersFile, ASmallHoleIsNoGap)
+{
+  TriangleMesh mesh = solids::subdivide(solids::octahedron(0.04), 6);
+  const std::array<int, 3> facet = mesh.triangles[10];
+  Vector3 middle = Vector3::Zero();
+  for (const int v : facet) middle += mesh.vertices[v] / 3;
+  const int rim = static_cast<int>(mesh.vertices.size());
+  for (const int v : facet) {
+    const Vector3 x = middle + 1e-5 * (mesh.vertices[v] - middle).normalized();
+    mesh.vertices.push_back(x);
+  }
+  mesh.triangles.erase(mesh.triangles.begin() + 10);
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    mesh.triangles.push_back({facet[k], facet[next], rim + next});
+    mesh.triangles.push_back({facet[k], rim + next, rim + k});
+  }
+  EXPECT_EQ(closing_gap(mesh), 0);
+  const std::string file = with_mesh(mesh);
+  expect_refusal([&] { read_stone_mesh(file, 1); }, file,
+                 {"is open: 3 edges", "around 1 hole; close the holes"});
+}
+
 TEST_F(NearCornersFile, LargerGapsAreNamed)
 {
   const std::string file = with_mesh(shaken(ball(), 1e-6)); // gaps of up to 3.5e-3 mm
