@@ -43,10 +43,10 @@ std::vector<std::string> quality_warnings(const std::vector<Stone>& stones)
   if (pieces > 0) {
     const Stone& worst = *std::max_element(stones.begin(), stones.end(), by_groups);
     warnings.push_back(fmt::format(
-        "{} of {} clumps are in pieces, groups of spheres that do not touch each other (\"{}\" in "
+        "{} of {} clumps {} in pieces, groups of spheres that do not touch each other (\"{}\" in "
         "{}): ribs and corners of other stones pass between them; set Stones/D min below Stones/R "
         "min, P max to 100 and Max spheres to 0.",
-        pieces, n, worst.shape.name, worst.groups));
+        pieces, n, pieces == 1 ? "is" : "are", worst.shape.name, worst.groups));
   }
   const auto off = std::count_if(stones.begin(), stones.end(), [](const Stone& stone) {
     return std::abs(stone.volume_error) > largest_volume_error;
