@@ -234,7 +234,8 @@ TEST(CheckParameters, NamesTheEntryOfEachContradiction)
       {"Geogrid/Rib width",
        [](auto& p) {
          p.geogrid.rib_width = 0.065;
-         p.box.width = p.box.length = 1;
+         p.box.width = 0.3;
+         p.box.length = 0.5;
        }},
       {"Surcharge/Sphere radius", [](auto& p) { p.surcharge.sphere_radius = 0; }},
       {"Surcharge/Sphere radius", [](auto& p) { p.surcharge.sphere_radius = 0.11; }},

@@ -44,7 +44,7 @@ TEST_F(StonesOfARun, ClumpsInPiecesAreWarnedOf)
 
 TEST_F(StonesOfARun, ClumpsFromFilesAreThoseThatWereWritten)
 {
-  coupling::StoneParameters p = three_stones(1e-3, 3e-3, 100);
+  coupling::StoneParameters p = three_stones(1e-3, 1.5e-3, 100);
   const std::vector<Stone> made = coupling::make_stones(p, {});
   for (const Stone& stone : made)
     dem::write_clump_shape((folder / (stone.shape.name + ".clump.json")).string(), stone.shape);
