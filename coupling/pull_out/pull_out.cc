@@ -3,6 +3,7 @@
 #include "coupling/pull_out/protocol.h"
 #include "coupling/stones/filled_box.h"
 #include "coupling/stones/stone_quality.h"
+#include "dem/input_error.h"
 
 #include <fmt/format.h>
 
@@ -58,6 +59,19 @@ dem::ContactProperties stones_on_ribs(const ContactParameters& c)
               friction_of(c.stone_on_geogrid_friction, c.stone_friction, c.geogrid_friction),
               c.tangential_ratio, c.geogrid_damping_ratio);
 }
+
+// Stones are poured in any attitude, their bounding balls clear of the walls.
+void check_stones_fit(const std::vector<Stone>& stones, const BoxParameters& box)
+{
+  const double room = std::min(box.length, box.width) - 2 * pouring_clearance;
+  for (const Stone& stone : stones) {
+    const double size = 2 * stone.shape.bounding_radius();
+    if (size > room)
+      throw InputError(fmt::format("Stone {} is {:.3g} m across, but the box is only {:.3g} m {}.",
+                                   stone.shape.name, size, std::min(box.length, box.width),
+                                   box.length < box.width ? "long" : "wide"));
+  }
+}
 } // namespace
 
 PullOut::PullOut(const PullOutParameters& parameters)
@@ -76,6 +90,7 @@ void PullOut::prepare(const Monitor& monitor, const std::vector<CaseEntry>& entr
   }
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Stone> stones = make_stones(parameters_.stones, monitor);
+  check_stones_fit(stones, parameters_.box);
   n_shapes = static_cast<int>(stones.size());
   double volume = 0;
   std::size_t spheres = 0;

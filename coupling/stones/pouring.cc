@@ -17,7 +17,6 @@ using dem::Vector3;
 // So many places in plan are tried, and the one in which the ball lies lowest is taken: enough to
 // fill a layer before the next one begins, as stones from a shovel would spread.
 constexpr int places_tried = 30;
-constexpr double clearance = 1e-3; // between bounding balls, and to the walls [m]
 // The surface is rough: the deepest pit that a stone may fall into below the highest point [m].
 constexpr double pit_depth = 0.1;
 
@@ -34,11 +33,13 @@ Vector3 lowest_place(const dem::Clumps& clumps, int first, double radius, double
 {
   Vector3 best(0, 0, 1e300);
   for (int attempt = 0; attempt < places_tried; ++attempt) {
-    const double x = random.uniform(radius + clearance, box.length - radius - clearance);
-    const double y = random.uniform(radius + clearance, box.width - radius - clearance);
+    const double x =
+        random.uniform(radius + pouring_clearance, box.length - radius - pouring_clearance);
+    const double y =
+        random.uniform(radius + pouring_clearance, box.width - radius - pouring_clearance);
     double z = floor + radius;
     for (int i = first; i < clumps.size(); ++i) {
-      const double reach = radius + clumps.bounding_radius(i) + clearance;
+      const double reach = radius + clumps.bounding_radius(i) + pouring_clearance;
       const double plan = std::hypot(x - clumps.position[i].x(), y - clumps.position[i].y());
       if (plan < reach)
         z = std::max(z, clumps.position[i].z() + std::sqrt(reach * reach - plan * plan));

@@ -9,6 +9,9 @@
 
 namespace interlock::coupling
 {
+// Between bounding balls, and to the walls [m].
+constexpr double pouring_clearance = 1e-3;
+
 struct Pouring {
   std::uint64_t seed = 1;     // of the order, places and attitudes of the stones
   double drop_height = 0;     // clear height between the surface and the lowest new stone [m]

@@ -98,6 +98,16 @@ TEST_F(Program, RefusesAGeogridLargerThanTheBox)
   expect_refusal({"\"Geogrid/Apertures across\"", "0.2 m wide", "0.19 m wide"});
 }
 
+TEST_F(Program, RefusesABoxInWhichAStoneDoesNotFit)
+{
+  run("run " + quick +
+      " --set Box/Width=0.05 --set 'Geogrid/Apertures across=1' "
+      "--set 'Geogrid/Pitch across=0.04' --set Stones/Count=2");
+  EXPECT_EQ(code, 2) << err;
+  EXPECT_NE(err.find("m across, but the box is only 0.05 m wide"), std::string::npos) << err;
+  EXPECT_TRUE(fs::is_empty(folder / "work")) << "something was written";
+}
+
 TEST_F(Program, RefusesATimeStepAboveTheStableOne)
 {
   run("run " + quick + " --set Stones/Count=1 --set Time/Step=1e-3");
