@@ -8,6 +8,7 @@ a temporary folder where that cannot be written.
 """
 
 import atexit
+import logging
 import os
 import shutil
 import sys
@@ -33,6 +34,8 @@ def cache_folder():
 for name in ("MPLBACKEND", "MATPLOTLIBRC"):
     os.environ.pop(name, None)
 os.environ["MPLCONFIGDIR"] = cache_folder()
+# On a busy machine it says that the list of fonts takes a while.
+logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 # A matplotlibrc in the current folder goes before all others and is read by the import itself.
 here = os.open(".", os.O_PATH)
 os.chdir("/")

@@ -172,16 +172,12 @@ class Environment(unittest.TestCase):
             pictures = {}
             for name, changes in (
                     ("clean", {}),
-                    ("packages", {"PYTHONPATH": foreign}),
-                    ("home of Python", {"PYTHONHOME": "/opt/nothing"}),
-                    ("start", {"PYTHONSTARTUP": "/no", "PYTHONWARNINGS": "error", "PYTHONOPTIMIZE": "2"}),
-                    ("backend", {"MPLBACKEND": "no_such_backend"}),
-                    ("settings", {"MATPLOTLIBRC": foreign}),
-                    ("settings at home", {"HOME": home}),
-                    ("no home", {"HOME": "/proc/no/home"}),
-                    ("home is a file", {"HOME": SCRIPT}),
-                    ("no folder for caches", {"XDG_CACHE_HOME": "/proc/no/caches", "MPLCONFIGDIR": "/proc/no"}),
-                    ("language", {"LC_ALL": "C", "PYTHONIOENCODING": "ascii"})):
+                    ("all at once", {"PYTHONPATH": foreign, "PYTHONHOME": "/opt/nothing", "PYTHONSTARTUP": "/no",
+                                     "PYTHONWARNINGS": "error", "PYTHONOPTIMIZE": "2", "PYTHONIOENCODING": "ascii",
+                                     "LC_ALL": "C", "MPLBACKEND": "no_such_backend", "MATPLOTLIBRC": foreign,
+                                     "HOME": home}),
+                    ("no home", {"HOME": "/proc/no/home", "MPLCONFIGDIR": "/proc/no"}),
+                    ("home is a file", {"HOME": SCRIPT, "XDG_CACHE_HOME": "/proc/no/caches"})):
                 # The current folder has settings and modules in every case but the first.
                 where = scratch if name == "clean" else foreign
                 result = draw(run, env={**clean, **changes}, cwd=where)
