@@ -33,20 +33,22 @@ void print_errors(const std::string& text)
     std::cerr << "interlock: error: " << line << '\n';
 }
 
-// `interlock help` and `interlock help COMMAND`, as people type it.
+// `interlock help` and `interlock help COMMAND`, as people type it. To be added last: the overview
+// is made here, since CLI11 explains the command that has been typed once there is one.
 void add_help_command(CLI::App& program)
 {
   CLI::App* command = program.add_subcommand("help", "Explain the program or a command.");
   auto name = std::make_shared<std::string>();
   command->add_option("command", *name, "Command to explain.");
-  command->callback([&program, name] {
+  const std::string overview = program.help();
+  command->callback([&program, name, overview] {
     if (name->empty()) {
-      std::cout << program.help();
+      std::cout << overview;
       return;
     }
     for (CLI::App* known : program.get_subcommands(nullptr))
       if (known->get_name() == *name) {
-        std::cout << known->help();
+        std::cout << known->help(program.get_name());
         return;
       }
     throw interlock::InputError("There is no command \"" + *name + "\" (interlock --help).");
@@ -135,7 +137,9 @@ int run_program(const int argc, char** argv)
   } catch (const std::exception& error) {
     const std::string sentence = error.what();
     const bool whole = !sentence.empty() && sentence.back() == '.';
-    std::cerr << "interlock: the run failed: " << sentence << (whole ? "\n" : ".\n");
+    const char* start =
+        program.got_subcommand("run") ? "interlock: the run failed: " : "interlock: error: ";
+    std::cerr << start << sentence << (whole ? "\n" : ".\n");
     return failed;
   }
   return 0;

@@ -5,6 +5,20 @@
 #include "coupling/run/run.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
+
+// The warnings of a run but those about its clumps: tests make them of few spheres, to be quick,
+// and such clumps are in pieces and miss much of their stones' volume.
+template <class Warnings> std::vector<std::string> warnings_beside_clumps(const Warnings& warnings)
+{
+  std::vector<std::string> others;
+  for (const std::string& warning : warnings)
+    if (warning.find(" in pieces, groups of spheres") == std::string::npos &&
+        warning.find(" clumps are off by more than ") == std::string::npos)
+      others.push_back(warning);
+  return others;
+}
 
 // `Experiment` is made of `parameters`; the folder must exist.
 template <class Experiment, class Parameters>

@@ -222,7 +222,7 @@ TEST_F(BadParameterFile, OtherUnitsAreAskedAbout)
   expect_words(errors_with("Contact/Stone stiffness=60"), {"60 MN/m are 6e+07 N/m"});
   expect_words(errors_with("Stones/D min=1.5"), {"\"Stones/D min\"", "1.5 mm are 0.0015 m"});
   expect_words(errors_with("Gravity=0"), {"\"Gravity\" is \"0\"", "greater than 0"});
-  expect_words(errors_with("Pull/Speed=60"), {"60 mm/s are 0.06 m/s"});
+  expect_words(errors_with("Filling/Plate speed=60"), {"60 mm/s are 0.06 m/s"});
 }
 
 TEST_F(BadParameterFile, SizesAreComparedWithEachOther)

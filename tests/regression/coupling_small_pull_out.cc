@@ -101,16 +101,18 @@ std::vector<double> pulled(const fs::path& folder, const std::string& series, in
 }
 
 // Stones and geogrid are measured from the same moment, the start of the pull, when neither has
-// moved; in the end the front edge has gone all the way, and nothing farther.
+// moved; in the end the nodes of the front edge, and of few others, have gone all the way.
 void check_displacements(const fs::path& folder, const PullOutParameters& p)
 {
   for (const char* series : {"clumps", "geogrid"})
     for (const double way : pulled(folder, series, 0)) ASSERT_EQ(way, 0) << series;
   const std::vector<double> ribs = pulled(folder, "geogrid", 1),
                             stones = pulled(folder, "clumps", 1);
-  const double front = *std::max_element(ribs.begin(), ribs.end());
-  EXPECT_NEAR(front, p.pull.distance, 0.01 * p.pull.distance);
-  EXPECT_GT(*std::max_element(stones.begin(), stones.end()), 0.01 * front);
+  const auto at_front = std::count_if(ribs.begin(), ribs.end(), [&](double way) {
+    return std::abs(way - p.pull.distance) < 1e-3 * p.pull.distance;
+  });
+  EXPECT_GE(at_front, p.geogrid.apertures_across + 1);
+  EXPECT_GT(*std::max_element(stones.begin(), stones.end()), 0.01 * p.pull.distance);
 }
 
 Summary run(const PullOutParameters& parameters, const std::string& name)
@@ -167,7 +169,7 @@ void check_laws(const Summary& s, const PullOutParameters& p)
   // Half the space is void at most; and less than a quarter never.
   EXPECT_GT(s.results["bulk_density_kg_per_m3"].get<double>(), 0.5 * p.stones.density);
   EXPECT_LT(s.results["bulk_density_kg_per_m3"].get<double>(), 0.75 * p.stones.density);
-  for (const auto& warning : s.warnings) ADD_FAILURE() << warning;
+  EXPECT_EQ(warnings_beside_clumps(s.warnings), std::vector<std::string>());
 }
 } // namespace
 
