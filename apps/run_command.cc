@@ -200,7 +200,13 @@ void run(RunArguments arguments)
     throw;
   }
   display.message(closing_text(summary, folder));
-  if (input.experiment->draws_figures(input.parameters) && draw_figures(folder) != 0)
+  const bool drawn =
+      !input.experiment->draws_figures(input.parameters) || draw_figures(folder) == 0;
+  if (!drawn && is_interrupted())
+    throw Interrupted("interrupted while the figures were drawn; the run is whole, and \"interlock "
+                      "report " +
+                      folder.string() + "\" draws them");
+  if (!drawn)
     display.message("warning: the figures could not be drawn; \"interlock report " +
                     folder.string() + "\" tries again.");
   if (!summary.ledger_closes)
