@@ -244,6 +244,8 @@ std::vector<double> column(const fs::path& file, const std::string& name)
 } // namespace
 
 // The line that the run leaves is typed as it stands, for a file with a blank in its name.
+// Stopped where the second stage begins and in the pull. While the first stones are placed there is
+// no state to keep yet.
 TEST_F(Resume, AfterTerminationByTheLineThatItLeaves)
 {
   write("my case.prm", "include " + tiny_pull_out + "\n");
@@ -253,7 +255,8 @@ TEST_F(Resume, AfterTerminationByTheLineThatItLeaves)
   for (const bool in_pull : {false, true}) {
     fs::remove_all(folder / "run");
     const Ending ending =
-        stop(SIGTERM, words, in_pull ? when_rows("run", 8) : when_logged("run", "stones: "));
+        stop(SIGTERM, words,
+             in_pull ? when_rows("run", 8) : when_logged("run", "fill lower half: "));
     ASSERT_EQ(ending.code, 130) << ending.out << ending.err;
     EXPECT_FALSE(fs::exists(folder / "run" / "summary.json"));
     EXPECT_NE(ending.err.find("run/checkpoint.h5"), std::string::npos) << ending.err;
