@@ -8,6 +8,7 @@
 #include "coupling/laboratory/laboratory_declarations.h"
 #include "coupling/packing/packing.h"
 #include "coupling/packing/packing_declarations.h"
+#include "coupling/packing/packing_forecast.h"
 #include "coupling/pull_out/pull_out.h"
 #include "coupling/pull_out/pull_out_declarations.h"
 #include "coupling/pull_out/pull_out_forecast.h"
@@ -27,9 +28,16 @@ ReadyExperiment staged(const Parameters& parameters, double checkpoint_interval,
                        const coupling::RunRequest& request)
 {
   auto simulation = std::make_shared<Simulation>(parameters);
-  if (!request.resume) simulation->prepare(request.monitor, request.entries);
+  std::vector<double> stage_times;
+  if (!request.resume) {
+    simulation->prepare(request.monitor, request.entries);
+    const coupling::Forecast expected = forecast(*simulation);
+    for (const coupling::StageForecast& stage : expected.stages)
+      stage_times.push_back(expected.time(stage));
+  }
   return [=](coupling::RunRequest run) {
     run.checkpoint_interval = checkpoint_interval;
+    run.stage_times = stage_times;
     return coupling::Run<Simulation>(*simulation, run).run();
   };
 }
@@ -69,23 +77,12 @@ coupling::Forecast forecast_of(const Parameters& parameters, const coupling::Run
   return forecast(simulation);
 }
 
-// All of its steps are in the case, none is waited for.
 coupling::Forecast packing_forecast(const coupling::PackingParameters& parameters,
                                     const coupling::RunRequest& request)
 {
   coupling::PackingParameters p = parameters;
   p.state.written.clear(); // a forecast writes nothing
-  coupling::Packing simulation(p);
-  simulation.prepare(request.monitor, request.entries);
-  const dem::Clumps& clumps = simulation.world().engine.clumps();
-  coupling::Forecast result;
-  result.clumps = clumps.size();
-  result.spheres = clumps.n_spheres();
-  result.time_step = simulation.world().clock.dt;
-  const auto spheres = static_cast<double>(result.spheres);
-  result.stages = {{"warm up", p.warm_up_steps * result.time_step, spheres, false},
-                   {"timed", p.timed_steps * result.time_step, spheres, false}};
-  return result;
+  return forecast_of<coupling::Packing>(p, request);
 }
 
 // Equilibria have no steps in time: there is nothing to add to what the constructor checks.

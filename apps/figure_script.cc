@@ -1,13 +1,17 @@
 #include "apps/figure_script.h"
 
+#include "apps/interruption.h"
+
 #include <boost/algorithm/string.hpp>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -53,11 +57,18 @@ std::vector<char*> pointers(std::vector<std::string>& words)
   return result;
 }
 
-std::string read_all(const int descriptor)
+// What the script says until it ends. An interrupt that only this program has heard of ends it.
+std::string listen(const int descriptor, const pid_t script)
 {
+  constexpr int look_every = 100; // [ms]
   std::string text;
+  bool told = false;
   char buffer[4096];
   for (;;) {
+    pollfd end{descriptor, POLLIN, 0};
+    const int ready = poll(&end, 1, look_every);
+    if (is_interrupted() && !told) told = kill(script, SIGTERM) == 0;
+    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
     const ssize_t n = read(descriptor, buffer, sizeof buffer);
     if (n > 0) text.append(buffer, n);
     if (n == 0 || (n < 0 && errno != EINTR)) return text;
@@ -116,7 +127,7 @@ ScriptResult run_figure_script(const std::string& script, const std::string& arg
   pid_t child = 0;
   const int error = start(command, pipe, child);
   close(pipe[1]);
-  const std::string said = error == 0 ? read_all(pipe[0]) : "";
+  const std::string said = error == 0 ? listen(pipe[0], child) : "";
   close(pipe[0]);
   if (error != 0)
     return {127, std::string(python) + " cannot be started: " + sentence(std::strerror(error))};

@@ -24,6 +24,6 @@ std::vector<std::filesystem::path> script_folders();
 // (python3 -I) and without the variables that the user's modules, virtual environments and shells
 // export: another Python's packages, another HDF5 library, settings of Matplotlib. What the script
 // prints goes to the standard output; the reason is the last line of what it says on its error
-// output.
+// output. An interrupt (interruption.h) ends the script.
 ScriptResult run_figure_script(const std::string& script, const std::string& argument);
 } // namespace interlock::apps

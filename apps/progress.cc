@@ -41,7 +41,7 @@ std::string progress_bar(const double fraction, const int width)
 }
 
 std::string progress_text(const coupling::Progress& progress, const double steps_per_second,
-                          const double seconds_left)
+                          const double seconds_left, const double seconds_left_in_all)
 {
   std::ostringstream text;
   text << progress.stage;
@@ -51,6 +51,8 @@ std::string progress_text(const coupling::Progress& progress, const double steps
   text << ", " << std::fixed << std::setprecision(3) << progress.simulated_time << " s simulated";
   if (steps_per_second > 0) text << ", " << std::setprecision(0) << steps_per_second << " steps/s";
   if (seconds_left >= 0) text << ", " << duration_text(seconds_left) << " left";
+  if (seconds_left_in_all >= 0)
+    text << ", about " << duration_text(seconds_left_in_all) << " in all";
   return text.str();
 }
 
@@ -107,9 +109,11 @@ void ProgressDisplay::show(const coupling::Progress& progress)
       elapsed > 0 ? static_cast<double>(progress.steps - steps_at_stage_start_) / elapsed : 0;
   const double done = progress.fraction - fraction_at_phase_start_;
   // The first per cent says too little: a pull starts slowly.
-  const double left =
-      done > 0.01 ? Seconds(now - phase_start_).count() * (1 - progress.fraction) / done : -1;
-  const std::string text = progress_text(progress, speed, left);
+  const double whole = done > 0.01 ? Seconds(now - phase_start_).count() / done : -1;
+  const double left = whole >= 0 ? whole * (1 - progress.fraction) : -1;
+  const double in_all =
+      whole >= 0 && progress.later_stages > 0 ? left + whole * progress.later_stages : -1;
+  const std::string text = progress_text(progress, speed, left, in_all);
   if (line_due) {
     log_ << text << std::endl;
     if (!terminal_) screen_ << text << std::endl;

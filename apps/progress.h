@@ -11,11 +11,12 @@
 
 namespace interlock::apps
 {
-// "pull (5 of 5)  45 %, 1.234 s simulated, 52300 steps/s, 1:23 min left": parts that nobody can
-// tell are left out (negative fraction, no speed yet, negative seconds left); the time left is that
-// of the stage.
+// "pull (5 of 6)  45 %, 1.234 s simulated, 52300 steps/s, 1:23 min left, about 4:00 min in all":
+// parts that nobody can tell are left out (negative fraction, no speed yet, negative seconds). The
+// first time left is that of the stage, the second one that of the run, given where later stages
+// are expected to take some.
 std::string progress_text(const coupling::Progress& progress, double steps_per_second,
-                          double seconds_left);
+                          double seconds_left, double seconds_left_in_all = -1);
 
 // "[#####.....]" with `width` places; fraction 0 to 1.
 std::string progress_bar(double fraction, int width);

@@ -57,7 +57,8 @@ void remove_results(const fs::path& folder)
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.is_regular_file(error) && is_of_a_run(entry.path())) files.push_back(entry.path());
   for (const auto& entry : fs::directory_iterator(folder / "frames", error))
-    if (entry.path().extension() == ".h5") files.push_back(entry.path());
+    for (const char* ending : {".vtkhdf", ".h5"}) // the second one: of an older version
+      if (entry.path().extension() == ending) files.push_back(entry.path());
   for (const auto& entry : fs::directory_iterator(folder / "figures", error))
     if (entry.path().extension() == ".png") files.push_back(entry.path());
   // Results first and parameters last: whatever interrupts this leaves no results without theirs.

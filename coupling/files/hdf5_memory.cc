@@ -75,6 +75,11 @@ template <> hid_t type_of<std::int64_t>()
   return H5T_NATIVE_INT64;
 }
 
+template <> hid_t type_of<std::uint8_t>()
+{
+  return H5T_NATIVE_UINT8;
+}
+
 void make_variable_text(hid_t type)
 {
   require(H5Tset_size(type, H5T_VARIABLE));
@@ -106,12 +111,19 @@ std::string unit_of(hid_t object)
   return unit;
 }
 
+// The properties of a link whose groups need not be there; to be closed.
+hid_t with_groups()
+{
+  const hid_t groups = H5Pcreate(H5P_LINK_CREATE);
+  require(H5Pset_create_intermediate_group(groups, 1));
+  return groups;
+}
+
 Handle created(hid_t file, const std::string& path, hid_t type, std::size_t n, int columns)
 {
   const hsize_t sizes[2] = {n / columns, static_cast<hsize_t>(columns)};
   const Handle space(H5Screate_simple(columns > 1 ? 2 : 1, sizes, nullptr), H5Sclose);
-  const Handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  require(H5Pset_create_intermediate_group(groups, 1));
+  const Handle groups(with_groups(), H5Pclose);
   // Equal numbers are equal files: no wall-clock time in them.
   const Handle timeless(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   require(H5Pset_obj_track_times(timeless, false));
@@ -127,6 +139,15 @@ void write_numbers(hid_t file, const std::string& path, const std::vector<T>& va
   if (!values.empty())
     require(H5Dwrite(set, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   set_unit(set, unit);
+}
+
+void write_attribute(hid_t file, const std::string& path, const std::string& name, hid_t type,
+                     hid_t space, const void* values)
+{
+  const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose);
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  require(H5Awrite(attribute, type, values));
 }
 
 std::size_t values_in(hid_t set)
@@ -208,6 +229,12 @@ void Hdf5Memory::write(const std::string& path, const std::vector<std::int64_t>&
   write_numbers(file_, path, values, columns, unit);
 }
 
+void Hdf5Memory::write(const std::string& path, const std::vector<std::uint8_t>& values,
+                       int columns, const std::string& unit)
+{
+  write_numbers(file_, path, values, columns, unit);
+}
+
 void Hdf5Memory::write(const std::string& path, const std::vector<std::string>& values, int columns,
                        const std::string& unit)
 {
@@ -228,12 +255,30 @@ void Hdf5Memory::make_group(const std::string& path)
 
 void Hdf5Memory::set_attribute(const std::string& path, const std::string& name, double value)
 {
-  const Handle object(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(
-      H5Acreate2(object, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT),
-      H5Aclose);
-  require(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value));
+  write_attribute(file_, path, name, H5T_NATIVE_DOUBLE, space, &value);
+}
+
+void Hdf5Memory::set_attribute(const std::string& path, const std::string& name,
+                               const std::vector<std::int64_t>& values)
+{
+  const hsize_t size = values.size();
+  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  write_attribute(file_, path, name, H5T_NATIVE_INT64, space, values.data());
+}
+
+void Hdf5Memory::set_attribute(const std::string& path, const std::string& name,
+                               const std::string& text)
+{
+  const Handle type = text_type(), space(H5Screate(H5S_SCALAR), H5Sclose);
+  require(H5Tset_size(type, text.size()));
+  write_attribute(file_, path, name, type, space, text.data());
+}
+
+void Hdf5Memory::link(const std::string& path, const std::string& data_set)
+{
+  const Handle groups(with_groups(), H5Pclose);
+  require(H5Lcreate_hard(file_, data_set.c_str(), file_, path.c_str(), groups, H5P_DEFAULT));
 }
 
 void Hdf5Memory::link(const std::string& path, const std::string& file, const std::string& object)

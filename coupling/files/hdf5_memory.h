@@ -29,11 +29,19 @@ public:
              const std::string& unit);
   void write(const std::string& path, const std::vector<std::int64_t>& values, int columns,
              const std::string& unit);
+  void write(const std::string& path, const std::vector<std::uint8_t>& values, int columns,
+             const std::string& unit);
   void write(const std::string& path, const std::vector<std::string>& values, int columns,
              const std::string& unit);
   // Of a group or data set that is there.
   void set_attribute(const std::string& path, const std::string& name, double value);
+  void set_attribute(const std::string& path, const std::string& name,
+                     const std::vector<std::int64_t>& values);
+  // ASCII of fixed length.
+  void set_attribute(const std::string& path, const std::string& name, const std::string& text);
   void make_group(const std::string& path);
+  // Another name, with its groups, for a data set that is there.
+  void link(const std::string& path, const std::string& data_set);
   // An object of another file, by its name relative to the folder of this one.
   void link(const std::string& path, const std::string& file, const std::string& object);
 

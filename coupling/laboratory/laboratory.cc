@@ -113,8 +113,9 @@ void Laboratory::make_lattice()
     sets_ = node_sets_of_piece(*lattice_);
     return;
   }
+  const fem::GmshFile drawn = fem::read_gmsh_file(p.lattice_file);
   std::map<std::string, fem::GmshSection> sections;
-  for (const fem::GmshFile::Line& line : fem::read_gmsh_file(p.lattice_file).lines)
+  for (const fem::GmshFile::Line& line : drawn.lines)
     if (line.group == "along")
       sections[line.group].profile = product_.ribs_along;
     else if (line.group == "across")
@@ -125,8 +126,7 @@ void Laboratory::make_lattice()
           (line.group.empty() ? "in no named group" : "in a group \"" + line.group + "\"") +
           ", but groups of lines must be called \"along\" or \"across\" (physical "
           "names in Gmsh) and take those ribs of the product.");
-  const fem::GmshLattice file =
-      fem::read_gmsh_lattice(p.lattice_file, sections, p.lattice_length_unit);
+  const fem::GmshLattice file = fem::gmsh_lattice(drawn, sections, p.lattice_length_unit);
   lattice_ = std::make_unique<fem::Lattice>(file.lines);
   sets_ = fem::node_sets(file, *lattice_);
   for (int i = 0; i < lattice_->n_nodes(); ++i) sets_["everywhere"].push_back(i);

@@ -29,22 +29,22 @@ OutputField field(const std::string& name, const std::string& unit, FieldSupport
 } // namespace
 
 FieldFrames::FieldFrames(const std::filesystem::path& folder)
-    : clumps_(folder / "clumps", XdmfSeries::Topology::points),
-      geogrid_(folder / "geogrid", XdmfSeries::Topology::lines),
-      contacts_(folder / "contacts", XdmfSeries::Topology::lines)
+    : clumps_(folder / "clumps", FieldSeries::Topology::points),
+      geogrid_(folder / "geogrid", FieldSeries::Topology::lines),
+      contacts_(folder / "contacts", FieldSeries::Topology::lines)
 {
 }
 
 void FieldFrames::start()
 {
-  for (XdmfSeries* series : {&clumps_, &geogrid_, &contacts_}) series->start();
+  for (FieldSeries* series : {&clumps_, &geogrid_, &contacts_}) series->start();
   first_id_.clear();
   first_position_.resize(0);
 }
 
 void FieldFrames::rewind()
 {
-  for (XdmfSeries* series : {&clumps_, &geogrid_, &contacts_}) series->rewind();
+  for (FieldSeries* series : {&clumps_, &geogrid_, &contacts_}) series->rewind();
 }
 
 void FieldFrames::write(double time, const dem::Engine& engine, const StaggeredStep& loop)

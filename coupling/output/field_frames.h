@@ -22,7 +22,7 @@ class FieldFrames
 public:
   // Writes nothing yet.
   explicit FieldFrames(const std::filesystem::path& folder);
-  // XdmfSeries::start and rewind of all three.
+  // FieldSeries::start and rewind of all three.
   void start();
   void rewind();
 
@@ -45,7 +45,7 @@ private:
   void write_contacts(double time, const dem::Engine& engine,
                       const std::vector<dem::RibContact>& rib_contacts);
 
-  XdmfSeries clumps_, geogrid_, contacts_;
+  FieldSeries clumps_, geogrid_, contacts_;
   std::vector<std::int64_t> first_id_; // ids at the first frame, ascending
   dem::VectorField first_position_;
 };

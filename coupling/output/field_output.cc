@@ -23,6 +23,8 @@ void require(const bool condition, const std::string& sentence)
   if (!condition) throw std::invalid_argument("Field output: " + sentence);
 }
 
+constexpr const char* frame_ending = ".vtkhdf";
+
 std::string frame_name(const int frame)
 {
   std::ostringstream name;
@@ -60,10 +62,10 @@ std::string attribute(const OutputField& field, const std::string& path)
   return text.str();
 }
 
-std::string topology_element(const XdmfSeries::Topology topology, const std::string& path,
+std::string topology_element(const FieldSeries::Topology topology, const std::string& path,
                              const std::size_t points, const std::size_t lines)
 {
-  const bool vertices = topology == XdmfSeries::Topology::points;
+  const bool vertices = topology == FieldSeries::Topology::points;
   std::ostringstream text;
   text << "<Topology TopologyType=\"" << (vertices ? "Polyvertex" : "Polyline")
        << "\" NumberOfElements=\"" << (vertices ? points : lines) << "\" NodesPerElement=\""
@@ -83,21 +85,55 @@ void check_field(const OutputField& field, const std::size_t points, const std::
           "the field " + field.name + " has " + std::to_string(field.values.size()) +
               " values instead of " + std::to_string(places * field.components));
 }
+// What VTK's own reader looks for beside the group of the frame. All points are one cell, each line
+// is one.
+void add_vtk_group(Hdf5Memory& file, const std::string& group, const FieldSeries::Topology topology,
+                   const std::size_t n_points, const std::vector<int>& lines,
+                   const std::vector<OutputField>& fields)
+{
+  constexpr std::uint8_t poly_vertex = 2, line = 3; // VTK's cell types
+  const bool are_points = topology == FieldSeries::Topology::points;
+  const std::size_t n_cells = are_points ? n_points > 0 : lines.size() / 2;
+  const std::size_t per_cell = are_points ? n_points : 2;
+  const auto count = [&](const std::string& name, const std::size_t n) {
+    file.write("VTKHDF/" + name, std::vector<std::int64_t>{static_cast<std::int64_t>(n)}, 1, "");
+  };
+  file.make_group("/VTKHDF");
+  file.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
+  file.set_attribute("/VTKHDF", "Type", std::string("UnstructuredGrid"));
+  count("NumberOfPoints", n_points);
+  count("NumberOfCells", n_cells);
+  count("NumberOfConnectivityIds", n_cells * per_cell);
+  file.link("VTKHDF/Points", group + "/points");
+  if (are_points)
+    file.link("VTKHDF/Connectivity", group + "/vertices");
+  else
+    file.write("VTKHDF/Connectivity", lines, 1, "");
+  std::vector<int> offsets;
+  for (std::size_t k = 0; k <= n_cells; ++k) offsets.push_back(static_cast<int>(k * per_cell));
+  file.write("VTKHDF/Offsets", offsets, 1, "");
+  file.write("VTKHDF/Types", std::vector<std::uint8_t>(n_cells, are_points ? poly_vertex : line), 1,
+             "");
+  for (const OutputField& field : fields)
+    file.link(std::string("VTKHDF/") +
+                  (field.support == FieldSupport::points ? "PointData/" : "CellData/") + field.name,
+              group + "/" + field.name);
+}
 } // namespace
 
-XdmfSeries::XdmfSeries(const fs::path& stem, const Topology topology)
+FieldSeries::FieldSeries(const fs::path& stem, const Topology topology)
     : stem_(stem), topology_(topology)
 {
 }
 
-fs::path XdmfSeries::frame_file(int frame) const
+fs::path FieldSeries::frame_file(int frame) const
 {
   std::ostringstream number;
-  number << '_' << std::setw(6) << std::setfill('0') << frame << ".h5";
+  number << '_' << std::setw(6) << std::setfill('0') << frame << frame_ending;
   return stem_.parent_path() / "frames" / (stem_.filename().string() + number.str());
 }
 
-void XdmfSeries::start()
+void FieldSeries::start()
 {
   grids_.clear();
   first_points_.clear();
@@ -106,7 +142,7 @@ void XdmfSeries::start()
   delete_frames_from(0);
 }
 
-void XdmfSeries::rewind()
+void FieldSeries::rewind()
 {
   for (int frame = 0; frame < frames(); ++frame)
     if (!fs::exists(frame_file(frame)))
@@ -119,13 +155,13 @@ void XdmfSeries::rewind()
     start();
 }
 
-void XdmfSeries::delete_frames_from(int frame) const
+void FieldSeries::delete_frames_from(int frame) const
 {
   while (fs::remove(frame_file(frame))) ++frame;
 }
 
-void XdmfSeries::write(const double time, const std::vector<double>& points,
-                       const std::vector<int>& lines, const std::vector<OutputField>& fields)
+void FieldSeries::write(const double time, const std::vector<double>& points,
+                        const std::vector<int>& lines, const std::vector<OutputField>& fields)
 {
   const std::size_t n_points = points.size() / 3, n_lines = lines.size() / 2;
   require(points.size() % 3 == 0, "the coordinates must come in threes");
@@ -148,6 +184,7 @@ void XdmfSeries::write(const double time, const std::vector<double>& points,
   }
   for (const OutputField& field : fields)
     file.write(place(field.name), single(field.values), field.components, field.unit);
+  add_vtk_group(file, group, topology_, n_points, lines, fields);
   fs::create_directories(frame_file(0).parent_path());
   write_atomically(frame_file(frames()), file.bytes());
 
@@ -162,7 +199,7 @@ void XdmfSeries::write(const double time, const std::vector<double>& points,
   if (frames() == 1) first_points_ = single(points);
 }
 
-const std::vector<float>& XdmfSeries::first_points()
+const std::vector<float>& FieldSeries::first_points()
 {
   if (frames() == 0 || !first_points_.empty()) return first_points_;
   std::ifstream in(frame_file(0), std::ios::binary);
@@ -174,9 +211,9 @@ const std::vector<float>& XdmfSeries::first_points()
 }
 
 // Of the frame that comes next.
-std::string XdmfSeries::grid_text(const double time, const std::size_t n_points,
-                                  const std::size_t n_lines,
-                                  const std::vector<OutputField>& fields) const
+std::string FieldSeries::grid_text(const double time, const std::size_t n_points,
+                                   const std::size_t n_lines,
+                                   const std::vector<OutputField>& fields) const
 {
   const std::string group = frame_name(frames());
   const std::string path =
@@ -192,7 +229,7 @@ std::string XdmfSeries::grid_text(const double time, const std::size_t n_points,
 }
 
 // After the numbers, and by renaming: it never mentions a frame that is not there yet.
-void XdmfSeries::write_index() const
+void FieldSeries::write_index() const
 {
   const std::string name = stem_.filename().string();
   std::ostringstream text;

@@ -1,8 +1,8 @@
 // Time series of points or lines with fields on them, for ParaView and for scripts: NAME.xdmf says
 // what there is, NAME.h5 holds the numbers.
 //
-// Each frame is a file of its own, frames/NAME_000012.h5, written whole under a temporary name and
-// then renamed: a kill, a full disk or a reader in the middle can spoil none. NAME.h5 is their
+// Each frame is a file of its own, frames/NAME_000012.vtkhdf, written whole under a temporary name
+// and then renamed: a kill, a full disk or a reader in the middle can spoil none. NAME.h5 is their
 // index: /frame_000012 in it is a link to the data of that frame. So in Python:
 //   f = h5py.File("contacts.h5"); f["frame_000003/force"][:]; f["frame_000003/force"].attrs["unit"]
 //
@@ -12,11 +12,15 @@
 //   vertices n       integer  0 to n - 1 (a series of points only: ParaView's newer XDMF reader
 //                             makes no cells without it, and shows nothing)
 //   FIELD    n, n x 3, m or m x 3   float, attribute unit, for example "N"
-// where n counts points and m lines.
+// where n counts points and m lines. The same arrays stand, by links, in the group VTKHDF as the
+// format of this name wants them (VTK File Formats, "VTKHDF"; an unstructured grid, version 1.0),
+// so that VTK, which Debian builds without a reader of XDMF, reads a frame:
+//   r = vtkHDFReader(); r.SetFileName("frames/contacts_000003.vtkhdf"); r.Update(); r.GetOutput()
 //
-// NAME.xdmf names a field with its unit, "velocity [m/s]", for ParaView's menus and colour bars. It
-// leaves out frames without a point or without a line, which ParaView's older XDMF reader cannot
-// read; it is not there while there is no other frame. NAME.h5 has all of them.
+// NAME.xdmf names a field with its unit, "velocity [m/s]", for ParaView's menus and colour bars; an
+// HDF5 file cannot, for the sake of the slash. It leaves out frames without a point or without a
+// line, which ParaView's older XDMF reader cannot read; it is not there while there is no other
+// frame. NAME.h5 has all of them.
 #pragma once
 
 #include <cstddef>
@@ -40,13 +44,13 @@ struct OutputField {
       values; // components x number of points or lines, a vector's components together
 };
 
-class XdmfSeries
+class FieldSeries
 {
 public:
   enum class Topology { points, lines };
 
   // `stem` is the path without ending: "results/quick/contacts". Writes nothing yet.
-  XdmfSeries(const std::filesystem::path& stem, Topology topology);
+  FieldSeries(const std::filesystem::path& stem, Topology topology);
 
   // Deletes the files of an earlier run, or makes what is there fit the frames that this series has
   // read from a state: those beyond are deleted. Throws InputError, one sentence, when one of its
@@ -68,7 +72,7 @@ public:
   // displacements are measured from, after a restart too. Empty before the first frame.
   const std::vector<float>& first_points();
 
-  template <class Archive> friend void exchange(Archive& archive, XdmfSeries& series)
+  template <class Archive> friend void exchange(Archive& archive, FieldSeries& series)
   {
     archive("grids", series.grids_);
   }

@@ -40,7 +40,7 @@ void write_lattice(const std::filesystem::path& stem, const fem::StaticSolver& s
   const LatticeFields frame = lattice_fields(
       solver.lattice(), [&](int node) { return solver.position(node); },
       [&](int e) { return solver.section_forces(e); });
-  XdmfSeries series(stem, XdmfSeries::Topology::lines);
+  FieldSeries series(stem, FieldSeries::Topology::lines);
   series.start();
   series.write(0, frame.points, frame.lines, frame.fields);
 }
@@ -53,7 +53,7 @@ void write_modes(const std::filesystem::path& stem, const fem::Lattice& lattice,
     low = low.cwiseMin(lattice.reference_position(i));
     high = high.cwiseMax(lattice.reference_position(i));
   }
-  XdmfSeries series(stem, XdmfSeries::Topology::lines);
+  FieldSeries series(stem, FieldSeries::Topology::lines);
   series.start();
   for (std::size_t m = 0; m < modes.size(); ++m) {
     double largest = 0;

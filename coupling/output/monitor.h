@@ -13,6 +13,7 @@ struct Progress {
   double simulated_time = 0;  // since the start of the run [s]
   std::int64_t steps = 0;     // since the start of the run
   int number = 0, stages = 0; // the stage is the `number`-th, from 1, of so many; 0: not known
+  double later_stages = 0;    // expected time of those to come over that of this one; 0: not known
 };
 
 // All may be empty. They are called from one thread: `progress` every hundred steps or so (the

@@ -22,7 +22,7 @@ struct StageSummary {
 struct Summary {
   std::string version;           // of the program
   nlohmann::ordered_json origin; // commit, compiler, host, date: what no result depends on
-  std::string parameters_hash; // of used.prm, as `interlock report` compares it
+  std::string parameters_hash;   // of used.prm, as `interlock report` compares it
   std::string experiment;
   int ranks = 1;
   std::uint64_t seed = 0; // of the filling

@@ -82,6 +82,13 @@ const UsualRange* usual_range(const std::string& key)
   return nullptr;
 }
 
+std::vector<std::string> keys_with_usual_range()
+{
+  std::vector<std::string> keys;
+  for (const Row& row : table()) keys.insert(keys.end(), row.keys.begin(), row.keys.end());
+  return keys;
+}
+
 std::string why_unusual(const std::string& key, double value, const std::string& unit)
 {
   const UsualRange* range = usual_range(key);

@@ -22,6 +22,9 @@ struct UsualRange {
 // the entry takes it, and is usual.
 const UsualRange* usual_range(const std::string& key);
 
+// All entries with a range, "Section/Name", and options of the commands, "--density".
+std::vector<std::string> keys_with_usual_range();
+
 // Empty when `value` is usual for the entry; else the end of a sentence that begins with the entry
 // and its value, without a full stop: "but 1000 to 8000 kg/m3 are usual; 2.65 g/cm3 are 2650
 // kg/m3".

@@ -77,6 +77,7 @@ private:
       return;
     }
     checkpoints_.clear();
+    records_.expect(request_.stage_times);
     records_.start();
     experiment_.begin(records_);
   }

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 namespace interlock::coupling
 {
 namespace
@@ -81,7 +83,14 @@ void RunRecords::progress(double fraction, const StepClock& clock, std::size_t n
 {
   if (monitor_.progress)
     monitor_.progress({stage_name(), fraction, clock.time(), clock.step, static_cast<int>(number),
-                       static_cast<int>(stages)});
+                       static_cast<int>(stages), later_stages(number)});
+}
+
+double RunRecords::later_stages(std::size_t number) const
+{
+  if (number >= stage_times_.size() || !(stage_times_[number - 1] > 0)) return 0;
+  return std::accumulate(stage_times_.begin() + number, stage_times_.end(), 0.) /
+         stage_times_[number - 1];
 }
 
 void RunRecords::add_frame(const World& world)

@@ -36,6 +36,8 @@ public:
   const std::string& stage_name() const { return summary.stages.back().name; }
   void warn(const std::string& sentence);
   void message(const std::string& sentence) const;
+  // What the stages will take, for the time left (RunRequest::stage_times).
+  void expect(std::vector<double> stage_times) { stage_times_ = std::move(stage_times); }
   // Throws StopRequested when somebody wants the run to stop: for what takes long within a step.
   // The run goes on from its last checkpoint then.
   void throw_if_stop_requested() const;
@@ -67,12 +69,15 @@ public:
     if (!Archive::reading) records.rows_ = records.history_ ? records.history_->rows() : 0;
     archive("rows", records.rows_);
     archive("frames", records.frames_);
+    archive("stage_times", records.stage_times_);
   }
 
 private:
   using Clock = std::chrono::steady_clock;
 
   double stage_wall_time() const;
+  // Of stage `number`, from 1: Progress::later_stages.
+  double later_stages(std::size_t number) const;
   // JSON numbers are written with the digits that give the same double again.
   template <class Archive>
   static void exchange_json(Archive& archive, const char* name, nlohmann::ordered_json& value)
@@ -88,6 +93,7 @@ private:
   std::optional<History> history_;
   FieldFrames frames_;
   std::int64_t rows_ = 0; // of history.csv
+  std::vector<double> stage_times_;
 
   bool in_stage_ = false;
   std::int64_t stage_begin_step_ = 0;

@@ -25,6 +25,9 @@ struct RunRequest {
   bool resume = false;             // go on from the checkpoint in the folder
   double checkpoint_interval = 60; // of wall-clock time; 0: at the ends of stages only [s]
   std::string version;             // of the program
+  // What the stages will take, in the plan's order, in any unit (Forecast::time); empty: not known.
+  // A resumed run has those of its beginning.
+  std::vector<double> stage_times;
   Monitor monitor;
 };
 } // namespace interlock::coupling

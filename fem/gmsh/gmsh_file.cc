@@ -1,6 +1,10 @@
 #include "fem/gmsh/gmsh_file.h"
 
+#include "fem/gmsh/child_process.h"
+
 #include <gmsh.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -10,18 +14,6 @@ namespace interlock::fem
 {
 namespace
 {
-// Gmsh's library as long as a file is read; it knows no more than one user at a time.
-struct GmshSession {
-  GmshSession()
-  {
-    gmsh::initialize(0, nullptr, false);
-    gmsh::option::setNumber("General.Terminal", 0);
-  }
-  ~GmshSession() { gmsh::finalize(); }
-  GmshSession(const GmshSession&) = delete;
-  GmshSession& operator=(const GmshSession&) = delete;
-};
-
 std::string group_name(int dimension, int tag)
 {
   std::string name;
@@ -82,9 +74,14 @@ NodeIndex read_nodes(GmshFile& file)
   std::vector<double> x, parametric;
   gmsh::model::mesh::getNodes(tags, x, parametric, -1, -1, false, false);
   NodeIndex index;
-  for (std::size_t i = 0; i < tags.size(); ++i)
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    const Eigen::Vector3d place(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
+    if (!place.allFinite())
+      throw std::runtime_error(gmsh_file_name(file.path) + " has a node " +
+                               std::to_string(tags[i]) + " whose coordinates are no numbers.");
     if (index.emplace(tags[i], static_cast<int>(file.nodes.size())).second)
-      file.nodes.emplace_back(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
+      file.nodes.push_back(place);
+  }
   return index;
 }
 
@@ -159,6 +156,47 @@ void read_point_groups(const std::string& path, const NodeIndex& index, GmshFile
     std::sort(group.begin(), group.end());
   }
 }
+// Gmsh is not closed again: it lives as long as the process that reads this one file.
+GmshFile read_by_gmsh(const std::string& path)
+{
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  open_mesh(path);
+  GmshFile file;
+  file.path = path;
+  const NodeIndex index = read_nodes(file);
+  read_lines(path, index, file);
+  read_point_groups(path, index, file);
+  return file;
+}
+
+// Between two processes, bit by bit.
+std::string to_bytes(const GmshFile& file)
+{
+  nlohmann::json nodes = nlohmann::json::array(), lines = nlohmann::json::array();
+  for (const Eigen::Vector3d& x : file.nodes) nodes.push_back({x[0], x[1], x[2]});
+  for (const GmshFile::Line& line : file.lines)
+    lines.push_back({line.node[0], line.node[1], line.group});
+  std::string bytes;
+  nlohmann::json::to_cbor({{"path", file.path},
+                           {"nodes", nodes},
+                           {"lines", lines},
+                           {"point_groups", file.point_groups}},
+                          bytes);
+  return bytes;
+}
+
+GmshFile from_bytes(const std::string& bytes)
+{
+  const nlohmann::json all = nlohmann::json::from_cbor(bytes);
+  GmshFile file;
+  file.path = all["path"];
+  for (const nlohmann::json& x : all["nodes"]) file.nodes.emplace_back(x[0], x[1], x[2]);
+  for (const nlohmann::json& line : all["lines"])
+    file.lines.push_back({{line[0], line[1]}, line[2]});
+  file.point_groups = all["point_groups"].get<std::map<std::string, std::vector<int>>>();
+  return file;
+}
 } // namespace
 
 std::string gmsh_file_name(const std::string& path)
@@ -169,12 +207,9 @@ std::string gmsh_file_name(const std::string& path)
 GmshFile read_gmsh_file(const std::string& path)
 {
   require_mesh_header(path);
-  const GmshSession session;
-  open_mesh(path);
-  GmshFile file;
-  const NodeIndex index = read_nodes(file);
-  read_lines(path, index, file);
-  read_point_groups(path, index, file);
-  return file;
+  const std::string bytes = in_child_process(
+      [&] { return to_bytes(read_by_gmsh(path)); },
+      gmsh_file_name(path) + " is damaged: Gmsh's own library crashes while it reads it.");
+  return from_bytes(bytes);
 }
 } // namespace interlock::fem

@@ -1,6 +1,5 @@
 #include "fem/gmsh/gmsh_lattice.h"
 
-#include "fem/gmsh/gmsh_file.h"
 #include "fem/gmsh/line_chains.h"
 #include "fem/lattice/lattice_checks.h"
 #include "fem/ribs/number_text.h"
@@ -100,13 +99,12 @@ GmshLattice lattice_of(const GmshFile& file, const Sections& sections, double un
 }
 } // namespace
 
-GmshLattice read_gmsh_lattice(const std::string& path, const Sections& sections, double length_unit)
+GmshLattice gmsh_lattice(const GmshFile& file, const Sections& sections, double length_unit)
 {
-  const GmshFile file = read_gmsh_file(path);
   try {
     return lattice_of(file, sections, length_unit);
   } catch (const std::exception& error) {
-    throw std::runtime_error(gmsh_file_name(path) + ": " + error.what());
+    throw std::runtime_error(gmsh_file_name(file.path) + ": " + error.what());
   }
 }
 

@@ -53,7 +53,7 @@ protected:
   {
     std::vector<std::string> all = facts;
     all.push_back(path);
-    expect_refused([&] { read_gmsh_lattice(path, sections, unit); }, all);
+    expect_refused([&] { gmsh_lattice(read_gmsh_file(path), sections, unit); }, all);
   }
   // Both versions of the file.
   void refuse(const GmshText& text, const std::vector<std::string>& facts) const
@@ -95,6 +95,26 @@ TEST_F(LatticeFile, BrokenFilesAreRefused)
   refuse(write("stray4.msh", stray).string(), {"9"});
 }
 
+// Gmsh's library (4.8) dies of a node number -1 and of a name for a group of dimension 9.
+TEST_F(LatticeFile, WhatGmshCrashesOnIsRefused)
+{
+  const std::string whole = cross().version_4();
+  std::string node = whole, group = whole;
+  node.replace(node.find("\n4 1 5\n"), 7, "\n4 1 -1\n");
+  refuse(write("node.msh", node).string(), {"is damaged", "crashes"});
+  group.replace(group.find("\n1 1 \"rib\""), 10, "\n9 1 \"rib\"");
+  refuse(write("group.msh", group).string(), {"is damaged", "crashes"});
+}
+
+TEST_F(LatticeFile, NodesMustBeSomewhere)
+{
+  for (const char* number : {"nan", "inf", "1e999"}) {
+    std::string text = cross().version_2();
+    text.replace(text.find("\n2 1 0 0"), 8, std::string("\n2 ") + number + " 0 0");
+    refuse(write("nowhere.msh", text).string(), {"node 2", "no numbers"});
+  }
+}
+
 TEST_F(LatticeFile, LinesAndTheirGroupsAreNeeded)
 {
   GmshText text = cross();
@@ -121,7 +141,7 @@ TEST_F(LatticeFile, LinesAndTheirGroupsAreNeeded)
 TEST_F(LatticeFile, GroupsAndSectionsMustMatch)
 {
   const std::string file = write("cross.msh", cross().version_4()).string();
-  EXPECT_EQ(read_gmsh_lattice(file, {{"rib", {{rectangle, sound}}}}).lines.size(), 2u);
+  EXPECT_EQ(gmsh_lattice(read_gmsh_file(file), {{"rib", {{rectangle, sound}}}}).lines.size(), 2u);
   refuse(file, {"\"rib\"", "no section", "\"bar\""}, {{"bar", {{rectangle, sound}}}});
   refuse(file, {"\"bar\"", "no lines", "\"rib\""},
          {{"rib", {{rectangle, sound}}}, {"bar", {{rectangle, sound}}}});

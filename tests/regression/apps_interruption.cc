@@ -1,6 +1,8 @@
 // A run, or a batch of clumps, that is told to stop. It takes another exit code than 130, a log
 // that does not say why it ends, a half-written file that stays behind, or a clump without its
 // exports, to fail.
+#include "tests/stopped_run.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,7 +12,7 @@
 
 #include <sys/wait.h>
 
-namespace fs = std::filesystem;
+using namespace stopped_run;
 
 TEST(Interruption, EndsTheRunCleanly)
 {
@@ -71,4 +73,26 @@ TEST(Interruption, LeavesWholeClumps)
   out << std::ifstream(folder / "out").rdbuf();
   EXPECT_NE(out.str().find("Interrupted: "), std::string::npos) << out.str();
   fs::remove_all(folder);
+}
+
+// The program looks for its scripts beside where it is installed; here, one that never ends.
+TEST_F(StoppedRunTest, WhileFiguresAreDrawnTheRunIsWhole)
+{
+  fs::create_directories(folder / "bin");
+  fs::copy_file(program, folder / "bin" / "interlock");
+  program = (folder / "bin" / "interlock").string();
+  fs::create_directories(folder / "share" / "interlock");
+  std::ofstream(folder / "share" / "interlock" / "figures.py")
+      << "import pathlib, sys, time\n"
+         "pathlib.Path(sys.argv[1], 'drawing').touch()\n"
+         "time.sleep(3600)\n";
+  Words words = pull_out("run");
+  words.erase(std::remove(words.begin(), words.end(), "Output/Report=false"), words.end());
+  words.erase(words.begin() + 1); // the --set of that
+  const Ending ending =
+      stop(SIGTERM, words, [this] { return fs::exists(folder / "run" / "drawing"); });
+  EXPECT_EQ(ending.code, 130) << ending.err;
+  EXPECT_NE(ending.err.find("the run is whole"), std::string::npos) << ending.err;
+  EXPECT_NE(ending.err.find("interlock report run"), std::string::npos) << ending.err;
+  EXPECT_TRUE(fs::exists(folder / "run" / "summary.json"));
 }

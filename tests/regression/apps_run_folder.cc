@@ -60,12 +60,12 @@ TEST_F(RunFolder, ForceLeavesNothingOfTheRunBefore)
   fs::create_directories(in_run("frames"));
   for (const char* name :
        {"state_before_pull.h5", "checkpoint.h5", "stones.csv", "profile.csv", "figures/old.png",
-        "frames/clumps_000000.h5", "clumps.xdmf", "clumps.h5", "notes.txt", "measured.h5"})
+        "frames/clumps_000000.vtkhdf", "clumps.xdmf", "clumps.h5", "notes.txt", "measured.h5"})
     std::ofstream(in_run(name)) << "old";
   ASSERT_EQ(run("--force"), 0) << err;
   for (const char* name :
        {"state_before_pull.h5", "checkpoint.h5", "stones.csv", "profile.csv", "figures/old.png",
-        "frames/clumps_000000.h5", "clumps.xdmf", "clumps.h5"})
+        "frames/clumps_000000.vtkhdf", "clumps.xdmf", "clumps.h5"})
     EXPECT_FALSE(fs::exists(in_run(name))) << name;
   for (const char* name : {"notes.txt", "measured.h5"})
     EXPECT_EQ(file_text(in_run(name)), "old") << name;

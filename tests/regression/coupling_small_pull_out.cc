@@ -92,7 +92,7 @@ double recorded_work(const fs::path& history)
 std::vector<double> pulled(const fs::path& folder, const std::string& series, int frame)
 {
   const std::string number = "00000" + std::to_string(frame);
-  std::ifstream in(folder / "frames" / (series + "_" + number + ".h5"), std::ios::binary);
+  std::ifstream in(folder / "frames" / (series + "_" + number + ".vtkhdf"), std::ios::binary);
   const Hdf5Memory file({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()});
   std::vector<double> vectors, along;
   file.read("frame_" + number + "/displacement", vectors);

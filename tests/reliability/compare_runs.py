@@ -45,7 +45,7 @@ def differences(one, other):
         if a.get(key) != b.get(key):
             yield f"{key} of summary.json: {a.get(key)} and {b.get(key)}"
     files, others = results(one), results(other)
-    for needed in ("history.csv", "frames/clumps_000000.h5"):
+    for needed in ("history.csv", "frames/clumps_000000.vtkhdf"):
         if needed not in files:
             yield f"{needed} is missing in {one}"
     for name in sorted(set(files) | set(others)):

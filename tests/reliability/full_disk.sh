@@ -109,7 +109,7 @@ try "first file" at-once used.prm "${stages_only[@]}"
 try checkpoint "[ -e $run/checkpoint.previous.h5 ]" checkpoint.h5 --set "Output/Checkpoint interval=0.3"
 try history "[ \$(cat $run/history.csv 2>/dev/null | wc -l) -gt 3 ]" history.csv "${stages_only[@]}" \
   --set Output/Records=400 --set "Output/Field frames=1"
-try frames "[ -e $run/frames/contacts_000001.h5 ]" '\(frames/\|clumps\.\|geogrid\.\|contacts\.\)' "${stages_only[@]}" \
+try frames "[ -e $run/frames/contacts_000001.vtkhdf ]" '\(frames/\|clumps\.\|geogrid\.\|contacts\.\)' "${stages_only[@]}" \
   --set Output/Records=1 --set "Output/Field frames=40"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -6,6 +6,7 @@
 #include "apps/parameter_file.h"
 
 #include "apps/case_templates.h"
+#include "apps/experiments.h"
 #include "apps/nearest_name.h"
 #include "apps/parameter_scanner.h"
 #include "apps/template_command.h"
@@ -17,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 
 using namespace interlock;
 namespace fs = std::filesystem;
@@ -226,6 +228,26 @@ TEST(UsualRanges, HoldWhatIsUsual)
   EXPECT_NE(why_unusual("Geogrid/Youngs modulus", 2400, "Pa").find("2400 MPa are 2.4e+09 Pa"),
             std::string::npos);
   EXPECT_NE(why_unusual("Box/Length", 160, "m").find("160 mm are 0.16 m"), std::string::npos);
+}
+
+// A range of an entry that was renamed would never be looked at; an entry without a range takes any
+// slip.
+TEST(UsualRanges, AreThoseOfAllPhysicalEntries)
+{
+  std::set<std::string> known;
+  for (const apps::Experiment& experiment : apps::experiments()) {
+    coupling::ParameterTable table;
+    apps::ExperimentParameters parameters = experiment.defaults;
+    experiment.declare(table, parameters);
+    for (const coupling::ParameterEntry& entry : table.entries()) {
+      known.insert(entry.key());
+      if (!entry.unit.empty() && entry.unit != "-")
+        EXPECT_NE(coupling::usual_range(entry.key()), nullptr) << entry.key();
+    }
+  }
+  const std::set<std::string> options = {"--density", "--d-min", "--r-min"}; // of clump
+  for (const std::string& key : coupling::keys_with_usual_range())
+    EXPECT_TRUE(known.count(key) == 1 || options.count(key) == 1) << key;
 }
 
 TEST(NearestName, ForgivesLettersAndCaseButNotMore)

@@ -12,6 +12,9 @@ TEST(Progress, TextSaysWhatIsKnown)
 {
   EXPECT_EQ(apps::progress_text({"pull", 0.456, 1.2344, 1000}, 52300.4, 83),
             "pull  45 %, 1.234 s simulated, 52300 steps/s, 1:23 min left");
+  EXPECT_EQ(
+      apps::progress_text({"fill", 0.5, 1, 1000, 1, 6}, 100, 10, 130),
+      "fill (1 of 6)  50 %, 1.000 s simulated, 100 steps/s, 10 s left, about 2:10 min in all");
   EXPECT_EQ(apps::progress_text({"stones", -1, 0, 0}, 0, -1), "stones, 0.000 s simulated");
   EXPECT_EQ(apps::progress_text({"pull", 0.456, 1.2344, 1000, 5, 6}, 0, -1),
             "pull (5 of 6)  45 %, 1.234 s simulated");
@@ -74,6 +77,19 @@ TEST(Progress, FileGetsSentencesAndNoBar)
                                     "The pull is done.\n");
   }
   EXPECT_EQ(log.str(), screen.str());
+}
+
+// A quarter of a stage takes 2 s; those that follow are expected to take five times as long as it.
+TEST(Progress, CountsLaterStages)
+{
+  std::ostringstream screen, log;
+  StoppedClock clock;
+  apps::ProgressDisplay display(screen, false, log, [&clock] { return clock.time; });
+  display.show({"fill", 0, 0, 0, 1, 3, 5});
+  clock.wait(2);
+  display.show({"fill", 0.25, 0.5, 2000, 1, 3, 5});
+  EXPECT_EQ(screen.str(), "fill (1 of 3)  25 %, 0.500 s simulated, 1000 steps/s, 6 s left, about "
+                          "46 s in all\n");
 }
 
 TEST(Progress, BarIsCutToTheTerminal)

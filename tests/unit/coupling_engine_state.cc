@@ -1,11 +1,8 @@
-// What the next step of an engine and of a whole world needs is in their field lists. A state is
-// written in the middle of contacts, read into an engine that was made from nothing, and both go
-// on. Fails when any digit of either differs later: of a pose, of what a contact remembers, of an
-// energy, of a wall or of the lattice; or when saving what was read gives another state.
-#include "coupling/loop/world.h"
-#include "coupling/state/checkpoint_file.h"
-#include "coupling/state/state_archive.h"
-#include "tests/cross_of_ribs.h"
+// What the next step of an engine needs is in its field list. A state is written in the middle of
+// contacts, read into an engine that was made from nothing, and both go on. Fails when any digit of
+// either differs later: of a pose, of what a contact remembers, of an energy or of a wall; or when
+// saving what was read gives another state.
+#include "tests/carry_over.h"
 #include "tests/dem_bodies.h"
 #include "tests/dem_crowd.h"
 #include "tests/dem_wall_bench.h"
@@ -16,37 +13,12 @@
 #include <memory>
 
 using namespace interlock;
-using namespace interlock::coupling;
+using namespace carry;
 using dem::Engine;
 using dem::Vector3;
 
 namespace
 {
-// Both go by the same digits or by none.
-template <class T> void expect_same(const T& a, const T& b, const std::string& when)
-{
-  StateTree one, two;
-  StateWriter(one, "state/")("whole", a);
-  StateWriter(two, "state/")("whole", b);
-  ASSERT_EQ(first_difference(one, two), std::nullopt) << when;
-  ASSERT_EQ(hash_of(one), hash_of(two)) << when;
-}
-
-// Through a file, as a checkpoint goes.
-template <class T> void carry_over(const T& from, T& to, const std::filesystem::path& file)
-{
-  StateTree tree, again;
-  StateWriter(tree, "state/")("whole", from);
-  write_state(file, tree, "1.2.3");
-  const StateTree read = read_state(file);
-  ASSERT_EQ(first_difference(read, tree), std::nullopt);
-  StateReader reader(read, "state/");
-  reader("whole", to);
-  reader.expect_all_read();
-  StateWriter(again, "state/")("whole", to);
-  ASSERT_EQ(first_difference(again, tree), std::nullopt) << "saved again";
-}
-
 void expect_same_energies(const Engine& a, const Engine& b, double dt)
 {
   const dem::EngineEnergy p = a.energy(dt), q = b.energy(dt);
@@ -205,8 +177,6 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EngineState, testing::ValuesIn(scenes()),
                          [](const auto& scene) { return scene.param.name; });
 } // namespace
 
-// --- The engine --------------------------------------------------------------------------------
-
 TEST_P(EngineState, GoesOnWithTheSameDigits)
 {
   Engine one = in_the_middle(), two = GetParam().make_empty();
@@ -305,146 +275,4 @@ TEST(EngineMemory, OtherWallsOfTrianglesAreRefused)
   Engine bare({}, dem::ContactProperties(), 0);
   StateReader reader(tree);
   EXPECT_THROW(reader("engine", bare), std::logic_error);
-}
-
-// --- The world ---------------------------------------------------------------------------------
-
-namespace
-{
-dem::ClumpShape three_balls()
-{
-  dem::ClumpShape shape;
-  shape.spheres = {{Vector3(0.005, 0.001, 0), 0.008},
-                   {Vector3(-0.006, 0, 0.001), 0.007},
-                   {Vector3(0, 0.004, 0.002), 0.006}};
-  shape.volume = 6e-6;
-  shape.unit_inertia = Vector3(2.2, 2.9, 3.6) * 1e-10;
-  return shape;
-}
-
-std::unique_ptr<RibTransfer> geogrid()
-{
-  return std::make_unique<RibTransfer>(cross_of_ribs::cross(12, 100));
-}
-
-std::unique_ptr<World> empty_world()
-{
-  const dem::ContactProperties pair = cross_of_ribs::contact(0.1);
-  return std::make_unique<World>(std::vector<dem::ClumpShape>(), dem::ContactProperties(), pair, 0);
-}
-
-// A ball on the crossing with another one on top, and a clump that spins on a rib, while the clamp
-// pulls.
-std::unique_ptr<World> start(double local_damping)
-{
-  const dem::ContactProperties pair = cross_of_ribs::contact(0.1);
-  auto world = std::make_unique<World>(
-      std::vector<dem::ClumpShape>{cross_of_ribs::ball(0.011), three_balls()}, pair, pair, 9.81);
-  Engine& engine = world->engine;
-  engine.set_local_damping(local_damping);
-  const double surface = 0.5 * cross_of_ribs::rib_section().thickness;
-  engine.add_clump(0, 2650, {5e-4, 2e-4, surface + 0.011 + 1e-5}, dem::Quaternion::Identity(),
-                   {0.05, 0, -0.2});
-  engine.add_clump(0, 2650, {2e-3, 0, surface + 0.033 + 1e-5}, dem::Quaternion::Identity(),
-                   {0, 0, -0.3});
-  const int i = engine.add_clump(1, 2650, {0.035, 5e-4, surface + 0.008 + 2e-5},
-                                 dem::Quaternion::Identity(), {0.01, 0.02, -0.2});
-  bodies::set_spin(engine, i, Vector3(0.3, 0.2, 4));
-  engine.add_clump(1, 2650, {0.3, 0, 0.5}, dem::Quaternion::Identity()); // far from all ribs
-  world->clock.set_step(2.5e-6);
-  world->clamp_velocity = {0.05, 0, 0};
-  world->place_geogrid(geogrid());
-  return world;
-}
-
-void run(World& world, int steps)
-{
-  for (int n = 0; n < steps; ++n) {
-    world.compute_forces();
-    world.move();
-  }
-}
-
-std::unique_ptr<World> carried_over(const World& world, const std::filesystem::path& file)
-{
-  std::unique_ptr<World> next = empty_world();
-  next->attach_geogrid(geogrid());
-  carry_over(world, *next, file);
-  return next;
-}
-
-class WorldState : public TemporaryFolderTest, public testing::WithParamInterface<double>
-{
-protected:
-  std::unique_ptr<World> in_the_middle() const
-  {
-    std::unique_ptr<World> world = start(GetParam());
-    for (int n = 0; n < 4000; ++n) {
-      run(*world, 1);
-      int rubbing = 0;
-      for (const dem::RibContact& c : world->ribs.rib_contacts().contacts())
-        rubbing += c.overlap > 0 && c.history.spring.norm() > 0;
-      if (rubbing >= 1 && world->engine.n_touching_spheres() >= 1) return world;
-    }
-    ADD_FAILURE() << "there was no moment with a contact with a rib and one of stones";
-    return world;
-  }
-};
-INSTANTIATE_TEST_SUITE_P(LocalDamping, WorldState, testing::Values(0., 0.5),
-                         [](const auto& share) { return share.param > 0 ? "On" : "Off"; });
-
-void expect_same_ledgers(World& a, World& b)
-{
-  a.compute_forces();
-  b.compute_forces();
-  const auto p = a.ledger().entries(), q = b.ledger().entries();
-  for (std::size_t k = 0; k < p.size(); ++k) EXPECT_EQ(p[k].second, q[k].second) << p[k].first;
-  EXPECT_EQ(a.ribs.clamp_force(), b.ribs.clamp_force());
-  EXPECT_EQ(a.ribs.substeps(), b.ribs.substeps());
-  EXPECT_EQ(a.clock.time(), b.clock.time());
-  a.move();
-  b.move();
-}
-} // namespace
-
-TEST_P(WorldState, GoesOnWithTheSameDigits)
-{
-  const std::unique_ptr<World> one = in_the_middle();
-  const std::unique_ptr<World> two = carried_over(*one, folder / "state.h5");
-  ASSERT_FALSE(HasFatalFailure());
-  for (int hundred = 1; hundred <= 5; ++hundred) {
-    run(*one, 99);
-    run(*two, 99);
-    expect_same_ledgers(*one, *two);
-    ASSERT_NO_FATAL_FAILURE(
-        expect_same(*one, *two, std::to_string(100 * hundred) + " steps later"));
-  }
-}
-
-// From before the first touch to after it, cut at uneven places.
-TEST_P(WorldState, ManyInterruptionsChangeNoDigit)
-{
-  const std::unique_ptr<World> one = start(GetParam());
-  std::unique_ptr<World> many = start(GetParam());
-  for (int part = 0; part < 40; ++part) {
-    many = carried_over(*many, folder / "state.h5");
-    run(*one, 1 + part % 23);
-    run(*many, 1 + part % 23);
-    ASSERT_NO_FATAL_FAILURE(expect_same(*one, *many, "part " + std::to_string(part)));
-  }
-  EXPECT_GT(many->largest_overlap(), 0);
-}
-
-// The stone that is sub-cycled with the ribs goes; the indices of the others shift.
-TEST_P(WorldState, LaterRemovalsHaveTheSameDigits)
-{
-  const std::unique_ptr<World> one = in_the_middle();
-  const std::unique_ptr<World> two = carried_over(*one, folder / "state.h5");
-  ASSERT_FALSE(HasFatalFailure());
-  for (World* world : {one.get(), two.get()}) {
-    world->remove({true, false, false, false});
-    run(*world, 200);
-  }
-  ASSERT_NO_FATAL_FAILURE(expect_same(*one, *two, "after the removal"));
-  expect_same_ledgers(*one, *two);
 }

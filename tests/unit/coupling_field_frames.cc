@@ -35,7 +35,7 @@ TEST_F(FieldFramesFile, ContactsHaveForcesAndBodiesAtBothEnds)
   FieldFrames frames(folder);
   frames.start();
   frames.write(0.5, engine);
-  const Hdf5Memory file(file_text(folder / "frames" / "contacts_000000.h5"));
+  const Hdf5Memory file(file_text(folder / "frames" / "contacts_000000.vtkhdf"));
   const auto read = [&](const std::string& name) {
     std::vector<double> values;
     file.read("frame_000000/" + name, values);

@@ -3,6 +3,7 @@
 // complete, a series that goes on otherwise than without the interruption, or a full disk that
 // spoils a frame, to fail. The XDMF text is read as XML, the numbers with deal.II's HDF5 classes.
 #include "coupling/files/atomic_file.h"
+#include "coupling/files/hdf5_memory.h"
 #include "coupling/output/field_output.h"
 #include "coupling/state/state_archive.h"
 #include "tests/refusal.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <sstream>
 
 using namespace interlock::coupling;
@@ -58,7 +60,7 @@ protected:
   }
 
   // A frame of a series of lines that tells which one it is.
-  static void write_frame(XdmfSeries& series)
+  static void write_frame(FieldSeries& series)
   {
     const int n = series.frames();
     series.write(0.1 * n, {0, 0.5, 1, 2, 2.5, 3. + n}, {0, 1},
@@ -89,7 +91,7 @@ const std::vector<double> two_points = {0, 0.5, 1, 2, 2.5, 3};
 
 TEST_F(FieldOutput, ReadsBackPointsWithScalarAndVectorFields)
 {
-  XdmfSeries series(folder / "clumps", XdmfSeries::Topology::points);
+  FieldSeries series(folder / "clumps", FieldSeries::Topology::points);
   series.write(0.25, two_points, {},
                {{"radius", "m", FieldSupport::points, 1, {0.125, 0.25}},
                 {"velocity", "m/s", FieldSupport::points, 3, {1, 2, 3, 4, 5, 6}}});
@@ -123,7 +125,7 @@ TEST_F(FieldOutput, ReadsBackPointsWithScalarAndVectorFields)
 
 TEST_F(FieldOutput, ReadsBackLinesWithFieldsOnCells)
 {
-  XdmfSeries series(folder / "contacts", XdmfSeries::Topology::lines);
+  FieldSeries series(folder / "contacts", FieldSeries::Topology::lines);
   series.write(0, {0, 0, 0, 1, 0, 0, 1, 1, 0}, {0, 1, 2, 1},
                {{"kind", "-", FieldSupport::cells, 1, {10, 20}}});
 
@@ -144,7 +146,7 @@ TEST_F(FieldOutput, ReadsBackLinesWithFieldsOnCells)
 // but not in the XDMF file, since ParaView cannot read a data set of size 0.
 TEST_F(FieldOutput, FramesMayDifferInSizeAndCanBeReadAfterEach)
 {
-  XdmfSeries series(folder / "contacts", XdmfSeries::Topology::lines);
+  FieldSeries series(folder / "contacts", FieldSeries::Topology::lines);
   for (int frame = 0; frame < 4; ++frame) {
     const bool any = frame == 1 || frame == 3;
     series.write(0.1 * frame, any ? two_points : std::vector<double>(),
@@ -170,17 +172,69 @@ TEST_F(FieldOutput, FramesMayDifferInSizeAndCanBeReadAfterEach)
 // Lines without points to join cannot be; points without lines are as little to be seen.
 TEST_F(FieldOutput, PointsWithoutLinesAreLeftOutToo)
 {
-  XdmfSeries series(folder / "contacts", XdmfSeries::Topology::lines);
+  FieldSeries series(folder / "contacts", FieldSeries::Topology::lines);
   series.write(0, two_points, {}, {});
   EXPECT_FALSE(fs::exists(folder / "contacts.xdmf"));
   write_frame(series);
   EXPECT_EQ(frames("contacts").size(), 1u);
 }
 
+// A frame as VTK's own reader of its format finds it: one cell for all points, one for each line.
+TEST_F(FieldOutput, FramesAreVtkHdfFiles)
+{
+  FieldSeries points(folder / "clumps", FieldSeries::Topology::points);
+  points.write(0, two_points, {}, {{"radius", "m", FieldSupport::points, 1, {0.125, 0.25}}});
+  FieldSeries lines(folder / "contacts", FieldSeries::Topology::lines);
+  lines.write(0, {0, 0, 0, 1, 0, 0, 1, 1, 0}, {0, 1, 2, 1},
+              {{"kind", "-", FieldSupport::cells, 1, {10, 20}}});
+  lines.write(1, {}, {}, {{"kind", "-", FieldSupport::cells, 1, {}}});
+
+  using Numbers = std::vector<std::int64_t>;
+  const auto open = [&](const std::string& name) {
+    return std::make_unique<Hdf5Memory>(file_text(folder / "frames" / name));
+  };
+  const auto integers = [](const Hdf5Memory& file, const std::string& name) {
+    Numbers values;
+    file.read("VTKHDF/" + name, values);
+    return values;
+  };
+  const auto numbers = [](const Hdf5Memory& file, const std::string& name) {
+    std::vector<double> values;
+    file.read("VTKHDF/" + name, values);
+    return values;
+  };
+  const auto clumps = open("clumps_000000.vtkhdf");
+  EXPECT_EQ(integers(*clumps, "NumberOfPoints"), Numbers{2});
+  EXPECT_EQ(integers(*clumps, "NumberOfCells"), Numbers{1});
+  EXPECT_EQ(integers(*clumps, "NumberOfConnectivityIds"), Numbers{2});
+  EXPECT_EQ(integers(*clumps, "Connectivity"), (Numbers{0, 1}));
+  EXPECT_EQ(integers(*clumps, "Offsets"), (Numbers{0, 2}));
+  EXPECT_EQ(integers(*clumps, "Types"), Numbers{2});
+  EXPECT_EQ(numbers(*clumps, "Points"), two_points);
+  EXPECT_EQ(numbers(*clumps, "PointData/radius"), (std::vector<double>{0.125, 0.25}));
+
+  const auto contacts = open("contacts_000000.vtkhdf");
+  EXPECT_EQ(integers(*contacts, "NumberOfPoints"), Numbers{3});
+  EXPECT_EQ(integers(*contacts, "NumberOfCells"), Numbers{2});
+  EXPECT_EQ(integers(*contacts, "NumberOfConnectivityIds"), Numbers{4});
+  EXPECT_EQ(integers(*contacts, "Connectivity"), (Numbers{0, 1, 2, 1}));
+  EXPECT_EQ(integers(*contacts, "Offsets"), (Numbers{0, 2, 4}));
+  EXPECT_EQ(integers(*contacts, "Types"), (Numbers{3, 3}));
+  EXPECT_EQ(numbers(*contacts, "CellData/kind"), (std::vector<double>{10, 20}));
+
+  const auto none = open("contacts_000001.vtkhdf");
+  EXPECT_EQ(integers(*none, "NumberOfCells"), Numbers{0});
+  EXPECT_EQ(integers(*none, "Offsets"), Numbers{0});
+
+  h5::File file((folder / "frames" / "contacts_000000.vtkhdf").string(),
+                h5::File::FileAccessMode::open);
+  EXPECT_EQ(file.open_group("VTKHDF").get_attribute<std::string>("Type"), "UnstructuredGrid");
+}
+
 // Where displacements are measured from: as the file has it, before and after a restart.
 TEST_F(FieldOutput, KnowsTheFirstFrameAfterARestart)
 {
-  XdmfSeries series(folder / "geogrid", XdmfSeries::Topology::lines);
+  FieldSeries series(folder / "geogrid", FieldSeries::Topology::lines);
   series.start();
   EXPECT_TRUE(series.first_points().empty());
   series.write(0, {0.1, 0.2, 0.3, 1, 2, 3}, {0, 1}, {});
@@ -191,7 +245,7 @@ TEST_F(FieldOutput, KnowsTheFirstFrameAfterARestart)
   StateTree tree;
   StateWriter writer(tree);
   writer("series", series);
-  XdmfSeries later(folder / "geogrid", XdmfSeries::Topology::lines);
+  FieldSeries later(folder / "geogrid", FieldSeries::Topology::lines);
   StateReader reader(tree);
   reader("series", later);
   later.rewind();
@@ -203,7 +257,7 @@ TEST_F(FieldOutput, KnowsTheFirstFrameAfterARestart)
 TEST_F(FieldOutput, ReplacesTheSeriesOfAnEarlierRun)
 {
   for (int run = 0; run < 2; ++run) {
-    XdmfSeries series(folder / "clumps", XdmfSeries::Topology::points);
+    FieldSeries series(folder / "clumps", FieldSeries::Topology::points);
     EXPECT_EQ(fs::exists(folder / "clumps.xdmf"), run > 0); // nothing is done before start()
     series.start();
     EXPECT_FALSE(fs::exists(folder / "clumps.xdmf"));
@@ -219,14 +273,15 @@ TEST_F(FieldOutput, ReplacesTheSeriesOfAnEarlierRun)
 // The file for scripts: every frame, by links that hold wherever the reader stands.
 TEST_F(FieldOutput, IndexLeadsToEveryFrame)
 {
-  XdmfSeries series(folder / "contacts", XdmfSeries::Topology::lines);
+  FieldSeries series(folder / "contacts", FieldSeries::Topology::lines);
   series.start();
   for (int frame = 0; frame < 3; ++frame) {
     write_frame(series);
     h5::File index((folder / "contacts.h5").string(), h5::File::FileAccessMode::open);
     for (int n = 0; n <= frame; ++n) {
       const std::string group = "frame_00000" + std::to_string(n);
-      EXPECT_TRUE(fs::exists(folder / "frames" / ("contacts_00000" + std::to_string(n) + ".h5")));
+      EXPECT_TRUE(
+          fs::exists(folder / "frames" / ("contacts_00000" + std::to_string(n) + ".vtkhdf")));
       h5::DataSet force = index.open_dataset(group + "/force");
       EXPECT_EQ(force.read<std::vector<double>>(), std::vector<double>{10. * n});
       EXPECT_EQ(force.get_attribute<std::string>("unit"), "N");
@@ -241,7 +296,7 @@ TEST_F(FieldOutput, IndexLeadsToEveryFrame)
 // process, and nothing tells the files from those of a run that was left alone.
 TEST_F(FieldOutput, GoesOnWithTheSameFiles)
 {
-  XdmfSeries whole(folder / "whole" / "contacts", XdmfSeries::Topology::lines);
+  FieldSeries whole(folder / "whole" / "contacts", FieldSeries::Topology::lines);
   fs::create_directory(folder / "whole");
   whole.start();
   for (int frame = 0; frame < 5; ++frame) write_frame(whole);
@@ -250,7 +305,7 @@ TEST_F(FieldOutput, GoesOnWithTheSameFiles)
   for (int kept = 0; kept <= 5; ++kept)
     for (const int beyond : {0, 1, 3}) {
       const StateTree state = [&] {
-        XdmfSeries series(folder / "cut" / "contacts", XdmfSeries::Topology::lines);
+        FieldSeries series(folder / "cut" / "contacts", FieldSeries::Topology::lines);
         series.start();
         for (int frame = 0; frame < kept; ++frame) write_frame(series);
         StateTree tree;
@@ -260,7 +315,7 @@ TEST_F(FieldOutput, GoesOnWithTheSameFiles)
           series.write(9, {}, {}, {}); // not what comes then
         return tree;
       }();
-      XdmfSeries series(folder / "cut" / "contacts", XdmfSeries::Topology::lines);
+      FieldSeries series(folder / "cut" / "contacts", FieldSeries::Topology::lines);
       StateReader archive(state);
       archive("series", series);
       series.rewind();
@@ -283,22 +338,22 @@ TEST_F(FieldOutput, GoesOnWithTheSameFiles)
 
 TEST_F(FieldOutput, RefusesToGoOnWithoutAFrame)
 {
-  XdmfSeries series(folder / "contacts", XdmfSeries::Topology::lines);
+  FieldSeries series(folder / "contacts", FieldSeries::Topology::lines);
   series.start();
   for (int frame = 0; frame < 3; ++frame) write_frame(series);
-  fs::remove(folder / "frames" / "contacts_000001.h5");
-  expect_refusal([&] { series.rewind(); }, (folder / "frames" / "contacts_000001.h5").string(),
+  fs::remove(folder / "frames" / "contacts_000001.vtkhdf");
+  expect_refusal([&] { series.rewind(); }, (folder / "frames" / "contacts_000001.vtkhdf").string(),
                  {"is not there any more"});
-  EXPECT_TRUE(fs::exists(folder / "frames" / "contacts_000002.h5"));
+  EXPECT_TRUE(fs::exists(folder / "frames" / "contacts_000002.vtkhdf"));
 }
 
 // Another series in the folder is none of its business.
 TEST_F(FieldOutput, LeavesOtherSeriesAlone)
 {
-  XdmfSeries clumps(folder / "clumps", XdmfSeries::Topology::points);
+  FieldSeries clumps(folder / "clumps", FieldSeries::Topology::points);
   clumps.start();
   clumps.write(0, two_points, {}, {});
-  XdmfSeries contacts(folder / "contacts", XdmfSeries::Topology::lines);
+  FieldSeries contacts(folder / "contacts", FieldSeries::Topology::lines);
   contacts.start();
   write_frame(contacts);
   contacts.start();
@@ -312,18 +367,19 @@ TEST_F(FieldOutput, LeavesOtherSeriesAlone)
 // and the series goes on when there is room again.
 TEST_F(FieldOutput, FullDiskSpoilsNoFrame)
 {
-  XdmfSeries series(folder / "contacts", XdmfSeries::Topology::lines);
+  FieldSeries series(folder / "contacts", FieldSeries::Topology::lines);
   series.start();
   while (series.frames() < 12) write_frame(series);
   const std::vector<fs::path> files = files_below("");
   std::vector<std::string> texts;
   for (const fs::path& file : files) texts.push_back(file_text(folder / file));
-  const std::size_t frame_size = fs::file_size(folder / "frames" / "contacts_000000.h5"),
+  const std::size_t frame_size = fs::file_size(folder / "frames" / "contacts_000000.vtkhdf"),
                     xdmf_size = fs::file_size(folder / "contacts.xdmf");
   ASSERT_GT(xdmf_size, frame_size + 100);
 
   for (const auto& [room, file] :
-       {std::pair<std::size_t, fs::path>{frame_size / 2, folder / "frames" / "contacts_000012.h5"},
+       {std::pair<std::size_t, fs::path>{frame_size / 2,
+                                         folder / "frames" / "contacts_000012.vtkhdf"},
         {frame_size + 100, folder / "contacts.xdmf"}}) {
     try {
       const SmallDisk disk(room);
@@ -346,7 +402,7 @@ TEST_F(FieldOutput, FullDiskSpoilsNoFrame)
 
 TEST_F(FieldOutput, RefusesSizesThatDoNotFitAndWritesNothing)
 {
-  XdmfSeries series(folder / "clumps", XdmfSeries::Topology::points);
+  FieldSeries series(folder / "clumps", FieldSeries::Topology::points);
   EXPECT_THROW(series.write(0, {1, 2}, {}, {}), std::invalid_argument);
   EXPECT_THROW(series.write(0, two_points, {0, 1}, {}), std::invalid_argument);
   EXPECT_THROW(series.write(0, two_points, {}, {{"radius", "m", FieldSupport::points, 1, {1}}}),

@@ -1,23 +1,23 @@
-// Every file that the fuzzer found to reach something new is read as a mesh or a cloud, or refused.
-// Fails when a reader crashes, hangs (the time limit of ctest) or throws anything but InputError.
+// Every stone file that the fuzzer found to reach something new is read as a mesh or a cloud, or
+// refused. Fails when a reader crashes, hangs (the time limit of ctest) or throws anything but
+// InputError.
 #include "tests/fuzz/any_stone_file.h"
+#include "tests/fuzz/files_of_corpus.h"
 #include "tests/temporary_folder.h"
 
 namespace
 {
-class FuzzCorpus : public TemporaryFolderTest
+class StoneCorpus : public TemporaryFolderTest
 {
 };
 
-TEST_F(FuzzCorpus, EveryFileIsReadOrRefused)
+TEST_F(StoneCorpus, EveryFileIsReadOrRefused)
 {
   int files = 0, meshes = 0, clouds = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(INTERLOCK_SOURCE_DIR "/tests/fuzz/corpus")) {
-    std::ifstream in(entry.path(), std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  for (const auto& [name, bytes] :
+       files_of_corpus(INTERLOCK_SOURCE_DIR "/tests/fuzz/corpus/stones")) {
     Outcome outcome;
-    EXPECT_NO_THROW(outcome = read_any_stone_file(bytes, folder)) << entry.path();
+    EXPECT_NO_THROW(outcome = read_any_stone_file(bytes, folder)) << name;
     ++files;
     meshes += outcome.is_mesh;
     clouds += outcome.is_cloud;

@@ -40,7 +40,8 @@ TEST_F(Gmsh, BothVersionsGiveTheSameLattice)
   const std::map<std::string, GmshSection> sections = {{"rib", section(3e-3, 2e-3)},
                                                        {"bar", section(6e-3, 4e-3)}};
   for (const std::string& text : {star().version_2(), star().version_4()}) {
-    const GmshLattice file = read_gmsh_lattice(write("star.msh", text).string(), sections, 1e-3);
+    const GmshLattice file =
+        gmsh_lattice(read_gmsh_file(write("star.msh", text).string()), sections, 1e-3);
     ASSERT_EQ(file.lines.size(), 3u);
     const Lattice lattice(file.lines);
     EXPECT_EQ(lattice.n_nodes(), 7);
@@ -70,8 +71,8 @@ TEST_F(Gmsh, SectionsMayChangeAlongALine)
   text.line_groups = {"thin", "thick"};
   text.lines = {{0, 1, 0}, {1, 2, 1}, {2, 3, 0}};
   const GmshLattice file =
-      read_gmsh_lattice(write("rib.msh", text.version_2()).string(),
-                        {{"thin", section(3e-3, 2e-3)}, {"thick", section(3e-3, 4e-3)}});
+      gmsh_lattice(read_gmsh_file(write("rib.msh", text.version_2()).string()),
+                   {{"thin", section(3e-3, 2e-3)}, {"thick", section(3e-3, 4e-3)}});
   ASSERT_EQ(file.lines.size(), 1u);
   const Lattice lattice(file.lines);
   EXPECT_EQ(lattice.shape(0).thickness, 2e-3);
@@ -87,8 +88,8 @@ TEST_F(Gmsh, NodeSetsHoldAllNodesOfAJunction)
   text.points = {{0, 0}};
   text.point_groups = {"clamp"};
   const GmshLattice file =
-      read_gmsh_lattice(write("star.msh", text.version_4()).string(),
-                        {{"rib", section(3e-3, 2e-3)}, {"bar", section(6e-3, 4e-3)}}, 1e-3);
+      gmsh_lattice(read_gmsh_file(write("star.msh", text.version_4()).string()),
+                   {{"rib", section(3e-3, 2e-3)}, {"bar", section(6e-3, 4e-3)}}, 1e-3);
   EXPECT_EQ(node_sets(file, Lattice(file.lines, {1, 1})).at("clamp").size(), 3u);
   EXPECT_EQ(node_sets(file, Lattice(file.lines)).at("clamp").size(), 1u);
 }
