@@ -6,7 +6,7 @@ target_compile_options(interlock_options INTERFACE
   -Wall -Wextra
   # GCC 12 sees uninitialised values that are none in its own AVX-512 header (under Eigen) and, with
   # the sanitizers, in Boost's.
-  -Wno-maybe-uninitialized
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
   # Square roots and selects stay scalar otherwise; nothing here reads errno or the trap flags.
   -fno-math-errno -fno-trapping-math
   # `#pragma omp simd` on the hot loops; no threads.

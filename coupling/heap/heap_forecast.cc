@@ -5,8 +5,8 @@
 
 namespace interlock::coupling
 {
-// Most heaps are at rest so long after the last stone [s].
-constexpr double usual_settling_time = 1;
+// The case is at rest 5 to 9 s after the last stone [s].
+constexpr double usual_settling_time = 7;
 
 Forecast forecast(const Heap& heap)
 {

@@ -48,6 +48,15 @@ const std::vector<Row>& table()
         "Product/Stiffness at 5 % along", "Product/Stiffness at 5 % across"},
        {1e3, 1e8, {{"kN/m", 1e3}, {"MN/m", 1e6}}}},
       {{"Product/Strength along", "Product/Strength across"}, {100, 1e7, {{"kN/m", 1e3}}}},
+      // As data sheets state them: these entries are not in SI.
+      {{"Data sheet/Force at 2 % along", "Data sheet/Force at 2 % across",
+        "Data sheet/Force at 5 % along", "Data sheet/Force at 5 % across"},
+       {0.1, 1000, {{"N/m", 1e-3}}}},
+      {{"Data sheet/Aperture stability"}, {0.01, 100, {{"kg cm/deg", 0.0980665}}}},
+      {{"Data sheet/Flexural rigidity"}, {1e3, 1e8, {{"g cm", 1e3}}}},
+      {{"Data sheet/Mass per area"}, {0.01, 20, {{"g/m2", 1e-3}}}},
+      // From a loose knot to a weld.
+      {{"Product/Junction stiffness"}, {1e-4, 1e6, {}}},
       {{"Geogrid/Pitch along", "Geogrid/Pitch across", "Product/Pitch along",
         "Product/Pitch across"},
        {0.002, 2, lengths}},
@@ -68,6 +77,14 @@ const std::vector<Row>& table()
       {{"Pull/Speed"}, {1e-6, 10, speeds}},
       {{"Pull/Distance"}, {1e-5, 2, lengths}},
       {{"Pull/Ramp time"}, {1e-5, 100, times}},
+      {{"Packing/Throw speed"}, {1e-6, 100, speeds}},
+      {{"Packing/Throw spin"}, {1e-3, 1e4, {{"rpm", 0.10471975511965977}}}},
+      // Of a contact: from its stiffness and mass, so nearly anything.
+      {{"Contact/Normal damping rate", "Contact/Tangential damping rate"}, {1e-3, 1e8, {}}},
+      {{"Geogrid/Mass damping"}, {1e-3, 1e5, {}}},
+      {{"Neighbour lists/Inner skin", "Neighbour lists/Middle skin"}, {1e-12, 0.05, lengths}},
+      {{"Output/Record interval", "Output/Frame interval"}, {1e-6, 1000, times}},
+      {{"Output/Checkpoint interval"}, {0.01, 1e6, times}},
       {{"Time/Step"}, {1e-9, 1e-2, {{"us", 1e-6}, {"ms", 1e-3}}}},
       {{"Laboratory/Largest torque"}, {1e-3, 1e3, {}}},
   };

@@ -9,16 +9,16 @@ namespace interlock::coupling
 {
 struct OtherUnit {
   std::string name; // "g/cm3"
-  double factor;    // SI value of one of it
+  double factor;    // one of it in the unit of the entry
 };
 
 struct UsualRange {
-  double lower, upper; // both included, SI
+  double lower, upper; // both included, in the unit of the entry
   std::vector<OtherUnit> others;
 };
 
-// Of the entry "Section/Name" of a parameter file; null for an entry without one: pure numbers,
-// names, values that a data sheet states. A value of 0 stands for `not given` or `none` wherever
+// Of the entry "Section/Name" of a parameter file; null for an entry without one: pure numbers and
+// names. A value of 0 stands for `not given` or `none` wherever
 // the entry takes it, and is usual.
 const UsualRange* usual_range(const std::string& key);
 

@@ -83,7 +83,9 @@ std::uint64_t hash_of(const StateTree& tree, const std::string& prefix)
 
 std::optional<std::string> first_difference(const StateTree& a, const StateTree& b)
 {
-  for (const auto& [path, array] : a) {
+  for (const auto& entry : a) {
+    const std::string& path = entry.first; // C++17's lambdas cannot capture structured bindings
+    const StateArray& array = entry.second;
     const auto other = b.find(path);
     if (other == b.end()) return path + " is there on one side only.";
     if (array.values.index() != other->second.values.index() ||

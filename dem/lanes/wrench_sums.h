@@ -23,12 +23,14 @@ inline Quad load_quad(const double* numbers)
 // Rows become columns.
 inline std::array<Quad, 4> transposed(Quad a, Quad b, Quad c, Quad d)
 {
-  using Order = std::int64_t __attribute__((vector_size(32)));
-  const Order even{0, 4, 2, 6}, odd{1, 5, 3, 7}, lower{0, 1, 4, 5}, upper{2, 3, 6, 7};
-  const Quad ab02 = __builtin_shuffle(a, b, even), ab13 = __builtin_shuffle(a, b, odd);
-  const Quad cd02 = __builtin_shuffle(c, d, even), cd13 = __builtin_shuffle(c, d, odd);
-  return {__builtin_shuffle(ab02, cd02, lower), __builtin_shuffle(ab13, cd13, lower),
-          __builtin_shuffle(ab02, cd02, upper), __builtin_shuffle(ab13, cd13, upper)};
+  const Quad ab02 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Quad ab13 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Quad cd02 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Quad cd13 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return {__builtin_shufflevector(ab02, cd02, 0, 1, 4, 5),
+          __builtin_shufflevector(ab13, cd13, 0, 1, 4, 5),
+          __builtin_shufflevector(ab02, cd02, 2, 3, 6, 7),
+          __builtin_shufflevector(ab13, cd13, 2, 3, 6, 7)};
 }
 
 // (x, y, z, 0) of entries k to k + 3 of a field.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,10 +18,14 @@ namespace
 // First byte of what a child says.
 constexpr char returned = 'r', threw = 't';
 
-// A crash shall end the child and nothing else: PETSc's handlers would end all ranks, and there is
-// nothing to learn from a core file.
+// A crash shall end the child and nothing else: PETSc's handlers would end all ranks, the C library
+// would say on the terminal what it thinks of the heap, and there is nothing to learn from a core
+// file.
 void die_quietly_of_signals()
 {
+  setenv("LIBC_FATAL_STDERR_", "1", 1); // not past the standard streams
+  const int nowhere = open("/dev/null", O_WRONLY);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGINT, SIGTERM})
     std::signal(signal, SIG_DFL);
   const rlimit none = {0, 0};
