@@ -1,5 +1,6 @@
 // The list of RibContacts: which spheres can touch which ribs until it expires.
 #include "dem/ribs/rib_contacts.h"
+#include "dem/ribs/rib_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,42 +12,12 @@ namespace
 {
 // See select_near: steps of room for kicks, and a share of a rib's half thickness.
 constexpr double near_steps = 2, near_margin = 0.01;
+// A list shall last for so many steps, within these skins [m].
+constexpr double list_steps = 40, smallest_skin = 1e-4, largest_skin = 1e-3;
 
 auto key(const RibContact& c)
 {
   return std::tie(c.i, c.a, c.line);
-}
-
-double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b)
-{
-  const Vector3 d = b - a;
-  const double t = std::clamp(d.dot(p - a) / d.squaredNorm(), 0., 1.);
-  return (p - a - t * d).norm();
-}
-
-double section_reach(const Rib& rib)
-{
-  return std::sqrt(rib.half_width * rib.half_width + rib.half_thickness * rib.half_thickness);
-}
-
-// A bound on the speed of any point of a clump or a rib [m/s]: translation and rotation apart, so
-// that one root serves all.
-double fastest_point(const Clumps& clumps, const std::vector<Rib>& ribs)
-{
-  double moving = 0, turning = 0;
-  for (int i = 0; i < clumps.size(); ++i) {
-    const double reach = clumps.member_reach(i);
-    moving = std::max(moving, clumps.velocity[i].squaredNorm());
-    turning = std::max(turning, reach * reach * clumps.spin[i].squaredNorm());
-  }
-  for (const Rib& rib : ribs) {
-    const double reach = section_reach(rib);
-    for (int end : {0, 1}) {
-      moving = std::max(moving, rib.v[end].squaredNorm());
-      turning = std::max(turning, reach * reach * rib.w[end].squaredNorm());
-    }
-  }
-  return std::sqrt(moving) + std::sqrt(turning);
 }
 
 // A bound on the speed of any point of a rib [m/s].
@@ -82,50 +53,55 @@ void RibContacts::renumber_clumps(const std::vector<int>& new_index)
 
 void RibContacts::update_list(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step)
 {
-  const double fastest = fastest_point(clumps, ribs);
-  if (!list_holds(clumps, ribs, fastest, time_step)) {
-    skin_ = std::clamp(2 * fastest * time_step * 40, 1e-4, 1e-3);
-    build(clumps, ribs);
+  rib_speed_.clear();
+  for (const Rib& rib : ribs) rib_speed_.push_back(rib_speed(rib));
+  if (!list_holds(clumps, ribs, time_step)) {
+    build(clumps, ribs, time_step);
     valid_ = true;
   }
   select_near(clumps, ribs, time_step);
 }
 
-bool RibContacts::list_holds(const Clumps& clumps, const std::vector<Rib>& ribs, double fastest,
+// Whoever select_near may choose must be in the list: what a clump and the ribs have moved, and
+// what it looks ahead, is within the room that the clump had when the list was made.
+bool RibContacts::list_holds(const Clumps& clumps, const std::vector<Rib>& ribs,
                              double time_step) const
 {
   // Clumps or ribs may have come since the list was made.
   if (!valid_ || clump_x_.size() != clumps.size() || rib_x_.size() != 2 * ribs.size()) return false;
-  double clump_moved = 0, clump_turned = 0, rib_moved = 0, rib_turned = 0;
-  for (int i = 0; i < clumps.size(); ++i) {
-    clump_moved = std::max(clump_moved, (clumps.position[i] - clump_x_[i]).squaredNorm());
-    const double reach = clumps.member_reach(i);
-    const Vector3 v = (clump_q_[i].conjugate() * clumps.orientation[i]).vec();
-    clump_turned = std::max(clump_turned, reach * reach * v.squaredNorm());
-  }
-  double thickest = 0;
+  double moved = 0, turned = 0, thickest = 0, fastest = 0;
   for (std::size_t r = 0; r < ribs.size(); ++r) {
     const double reach = section_reach(ribs[r]);
     thickest = std::max(thickest, ribs[r].half_thickness);
+    fastest = std::max(fastest, rib_speed_[r]);
     for (int end : {0, 1}) {
-      rib_moved = std::max(rib_moved, (ribs[r].x[end] - rib_x_[2 * r + end]).squaredNorm());
+      moved = std::max(moved, (ribs[r].x[end] - rib_x_[2 * r + end]).squaredNorm());
       const Vector3 turn = ribs[r].width_axis[end] - rib_axis_[2 * r + end];
-      rib_turned = std::max(rib_turned, reach * reach * turn.squaredNorm());
+      turned = std::max(turned, reach * reach * turn.squaredNorm());
     }
   }
-  const double used = std::sqrt(clump_moved) + 2 * std::sqrt(clump_turned) + std::sqrt(rib_moved) +
-                      2 * std::sqrt(rib_turned);
-  // Whoever select_near may choose is in the list: a clump and a rib are each as fast as the
-  // fastest point at most.
-  return used + near_steps * 2 * fastest * time_step + near_margin * thickest <= skin_;
+  const double ahead = near_steps * time_step;
+  const double by_ribs =
+      std::sqrt(moved) + 2 * std::sqrt(turned) + ahead * fastest + near_margin * thickest;
+  for (int i = 0; i < clumps.size(); ++i) {
+    const double left = room_[i] - by_ribs, reach = clumps.member_reach(i);
+    if (left < 0) return false;
+    const double way = (clumps.position[i] - clump_x_[i]).squaredNorm();
+    const double turn =
+        4 * reach * reach * (clump_q_[i].conjugate() * clumps.orientation[i]).vec().squaredNorm();
+    const double speed = ahead * ahead * clumps.velocity[i].squaredNorm();
+    const double spin = ahead * ahead * reach * reach * clumps.spin[i].squaredNorm();
+    // A sum of four is at most twice the root of the sum of their squares: most need no root.
+    if (4 * (way + turn + speed + spin) <= left * left) continue;
+    if (std::sqrt(way) + std::sqrt(turn) + std::sqrt(speed) + std::sqrt(spin) > left) return false;
+  }
+  return true;
 }
 
 void RibContacts::select_near(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step)
 {
   near_clumps_.clear();
   near_contacts_.clear();
-  rib_speed_.clear();
-  for (const Rib& rib : ribs) rib_speed_.push_back(rib_speed(rib));
   rib_is_near_.assign(ribs.size(), 0);
   const int n = static_cast<int>(contacts_.size());
   for (int first = 0, last = 0; first < n; first = last) {
@@ -163,7 +139,9 @@ bool RibContacts::may_touch(const RibContact& c, const Clumps& clumps, const std
   return false;
 }
 
-void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs)
+// Clumps farther from the box around all ribs than any skin only need to be watched. The others get
+// a skin for some forty steps at the speed of the fastest of them.
+void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step)
 {
   clump_x_ = clumps.position;
   clump_q_ = clumps.orientation;
@@ -176,40 +154,29 @@ void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs)
   old_contacts_.swap(contacts_);
   contacts_.clear();
   candidate_ribs_.clear();
-  std::vector<int> close_ribs;
-  Vector3 low = Vector3::Constant(1e300), high = -low;
-  for (const Vector3& x : rib_x_) low = low.cwiseMin(x), high = high.cwiseMax(x);
-  double largest_section = 0;
-  for (const Rib& rib : ribs) largest_section = std::max(largest_section, section_reach(rib));
+  room_.clear();
 
+  RibSearch::Box around;
+  for (const Rib& rib : ribs) {
+    const Vector3 reach = Vector3::Constant(section_reach(rib));
+    for (const Vector3& x : rib.x) around.extend(x - reach), around.extend(x + reach);
+  }
+  double fastest = 0;
+  for (const double speed : rib_speed_) fastest = std::max(fastest, speed);
   for (int i = 0; i < clumps.size(); ++i) {
-    const double ball = clumps.bounding_radius(i) + skin_;
-    close_ribs.clear();
     const Vector3& x = clumps.position[i];
-    // Most clumps are far above or below the geogrid.
-    const double margin = ball + largest_section;
-    if ((x.array() < low.array() - margin).any() || (x.array() > high.array() + margin).any())
-      continue;
-    for (int r = 0; r < static_cast<int>(ribs.size()); ++r)
-      if (distance_to_segment(x, ribs[r].x[0], ribs[r].x[1]) < ball + section_reach(ribs[r]))
-        close_ribs.push_back(r);
-    const std::size_t before = contacts_.size();
-    const std::vector<Sphere>& spheres = clumps.shape_of(i).spheres;
-    for (int a = 0; a < static_cast<int>(spheres.size()) && !close_ribs.empty(); ++a) {
-      const Vector3 centre = clumps.position[i] + clumps.member_offset(i, a);
-      // Ribs are ordered by line, so the candidates of one line follow one another.
-      for (const int r : close_ribs) {
-        if (rib_proximity(ribs[r], centre, spheres[a].radius).overlap < -skin_) continue;
-        if (contacts_.size() == before || key(contacts_.back()) != std::tie(i, a, ribs[r].line)) {
-          RibContact contact;
-          contact.i = i, contact.a = a, contact.line = ribs[r].line;
-          contact.first = contact.last = candidate_ribs_.size();
-          contacts_.push_back(contact);
-        }
-        candidate_ribs_.push_back(r);
-        contacts_.back().last = candidate_ribs_.size();
-      }
-    }
+    room_.push_back(around.exteriorDistance(x) - clumps.bounding_radius(i));
+    if (room_[i] < largest_skin)
+      fastest = std::max(fastest, Vector3(clumps.velocity[i]).norm() +
+                                      clumps.member_reach(i) * Vector3(clumps.spin[i]).norm());
+  }
+  skin_ = std::clamp(2 * fastest * time_step * list_steps, smallest_skin, largest_skin);
+
+  const RibSearch search(ribs, skin_);
+  for (int i = 0; i < clumps.size(); ++i) {
+    if (room_[i] >= skin_) continue;
+    room_[i] = skin_;
+    add_candidates(i, clumps, ribs, search);
   }
 
   auto old = old_contacts_.begin();
@@ -219,6 +186,39 @@ void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs)
     if (key(*old) == key(c))
       c.history = old->history, c.force = old->force, c.rib = old->rib, c.xi = old->xi,
       c.point = old->point, c.arm = old->arm, c.overlap = old->overlap, c.shared = old->shared;
+  }
+}
+
+// Of the member spheres of clump i. Ribs are ordered by line, so the candidates of one line follow
+// one another.
+void RibContacts::add_candidates(int i, const Clumps& clumps, const std::vector<Rib>& ribs,
+                                 const RibSearch& search)
+{
+  const auto ball = [](const Vector3& x, double radius) {
+    return RibSearch::Box(x.array() - radius, x.array() + radius);
+  };
+  search.find(ball(clumps.position[i], clumps.bounding_radius(i)), close_ribs_);
+  if (close_ribs_.empty()) return;
+  RibSearch::Box close;
+  for (const int r : close_ribs_) close.extend(search.box(r));
+  const std::size_t before = contacts_.size();
+  const std::vector<Sphere>& spheres = clumps.shape_of(i).spheres;
+  for (int a = 0; a < static_cast<int>(spheres.size()); ++a) {
+    const Vector3 centre = clumps.position[i] + clumps.member_offset(i, a);
+    const RibSearch::Box box = ball(centre, spheres[a].radius);
+    if (!close.intersects(box)) continue;
+    for (const int r : close_ribs_) {
+      if (!search.box(r).intersects(box)) continue;
+      if (rib_proximity(ribs[r], centre, spheres[a].radius).overlap < -skin_) continue;
+      if (contacts_.size() == before || key(contacts_.back()) != std::tie(i, a, ribs[r].line)) {
+        RibContact contact;
+        contact.i = i, contact.a = a, contact.line = ribs[r].line;
+        contact.first = contact.last = candidate_ribs_.size();
+        contacts_.push_back(contact);
+      }
+      candidate_ribs_.push_back(r);
+      contacts_.back().last = candidate_ribs_.size();
+    }
   }
 }
 } // namespace interlock::dem

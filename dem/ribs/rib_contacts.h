@@ -9,6 +9,8 @@
 
 namespace interlock::dem
 {
+class RibSearch;
+
 // One member sphere of a clump against one line of ribs.
 struct RibContact {
   int i = 0, a = 0, line = 0;
@@ -75,9 +77,10 @@ private:
     int rib;
   };
 
-  void build(const Clumps& clumps, const std::vector<Rib>& ribs);
-  bool list_holds(const Clumps& clumps, const std::vector<Rib>& ribs, double fastest,
-                  double time_step) const;
+  void build(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step);
+  void add_candidates(int clump, const Clumps& clumps, const std::vector<Rib>& ribs,
+                      const RibSearch& search);
+  bool list_holds(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step) const;
   void select_near(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step);
   bool may_touch(const RibContact& contact, const Clumps& clumps, const std::vector<Rib>& ribs,
                  double time_step, double speed) const;
@@ -96,11 +99,14 @@ private:
   ContactProperties contact_;
   bool valid_ = false;
   double skin_ = 0; // [m]
+  // What each clump could come nearer to the ribs, when the list was made, before somebody had to
+  // be added to the list [m].
+  std::vector<double> room_;
   VectorField clump_x_;
   QuaternionField clump_q_;
   std::vector<Vector3> rib_x_, rib_axis_;
   std::vector<RibContact> contacts_, old_contacts_;
-  std::vector<int> candidate_ribs_;
+  std::vector<int> candidate_ribs_, close_ribs_;
   std::vector<int> near_clumps_, near_ribs_;
   std::vector<int> near_contacts_; // first and one past the last contact of each near clump
   std::vector<double> rib_speed_;  // bounds [m/s]

@@ -1,0 +1,42 @@
+// Which ribs are near a place: for the list of RibContacts.
+#pragma once
+
+#include "dem/ribs/ribs.h"
+
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <Eigen/Geometry>
+
+#include <utility>
+#include <vector>
+
+namespace interlock::dem
+{
+// Half the diagonal of a rib's section [m].
+double section_reach(const Rib& rib);
+
+class RibSearch
+{
+public:
+  using Box = Eigen::AlignedBox3d;
+
+  // Takes the ribs where they are, each in a box that is larger than it by `margin` [m] on all
+  // sides.
+  RibSearch(const std::vector<Rib>& ribs, double margin);
+
+  const Box& all() const { return all_; } // around the boxes of all ribs
+  const Box& box(int rib) const { return boxes_[rib]; }
+  // The ribs whose boxes touch this one, ascending.
+  void find(const Box& place, std::vector<int>& ribs) const;
+
+private:
+  using Point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+  using Entry = std::pair<boost::geometry::model::box<Point>, int>;
+
+  std::vector<Box> boxes_;
+  Box all_;
+  boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>> tree_;
+};
+} // namespace interlock::dem
