@@ -38,7 +38,8 @@ Heap::Heap(const HeapParameters& parameters)
   engine.add_wall(floor_of(parameters.drop.floor_side, properties(c, c.floor_friction)));
   if (!parameters.mesh_wall.file.empty()) {
     const MeshWallParameters& m = parameters.mesh_wall;
-    dem::MeshWall wall = dem::mesh_wall("wall", dem::read_wall_mesh(m.file, m.length_unit));
+    dem::MeshWall wall =
+        dem::mesh_wall("wall", dem::read_wall_mesh(m.file, m.length_unit, &wall_notes_));
     wall.contact = properties(c, m.friction);
     engine.add_mesh_wall(wall);
   }
@@ -84,6 +85,8 @@ void Heap::begin(RunRecords& records) const
 {
   records.add_stage("stones", preparation_, preparation_time_);
   for (const std::string& warning : quality_warnings(stones)) records.warn(warning);
+  for (const std::string& note : wall_notes_)
+    records.warn("The wall mesh \"" + parameters_.mesh_wall.file + "\" " + note + ".");
 }
 
 void Heap::drop_lost_stones()

@@ -36,7 +36,7 @@ public:
   std::vector<Stage> plan() const { return {DropStage(), HeapSettleStage()}; }
   std::vector<std::string> history_columns() const;
   PhysicsLimits limits() const { return {}; }
-  void begin(RunRecords& records) const; // logs the preparation
+  void begin(RunRecords& records) const;                          // logs the preparation
   const std::string& preparation() const { return preparation_; } // what was made, for the log
   // Writes stones.csv and profile.csv, too.
   void finish(std::vector<Stage>& plan, RunRecords& records) const;
@@ -66,8 +66,9 @@ public:
 private:
   HeapParameters parameters_;
   World world_;
-  std::string preparation_;     // what it made, for the log
-  double preparation_time_ = 0; // wall-clock [s]
+  std::string preparation_;             // what it made, for the log
+  std::vector<std::string> wall_notes_; // on the file of the mesh wall
+  double preparation_time_ = 0;         // wall-clock [s]
 };
 
 template <class Archive> void exchange(Archive& archive, Heap& heap)

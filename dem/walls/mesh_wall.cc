@@ -3,6 +3,7 @@
 #include "dem/input_error.h"
 #include "dem/scans/facet_file.h"
 #include "dem/scans/mesh_cleaning.h"
+#include "dem/scans/resolution.h"
 #include "dem/scans/stone_file.h"
 
 #include <boost/geometry/geometries/box.hpp>
@@ -146,13 +147,18 @@ MeshWall mesh_wall(const std::string& name, TriangleMesh world_mesh, const Vecto
   return wall;
 }
 
-TriangleMesh read_wall_mesh(const std::string& path, double length_unit)
+TriangleMesh read_wall_mesh(const std::string& path, double length_unit,
+                            std::vector<std::string>* notes)
 {
   InputFile file("Wall mesh", path);
   check_length_unit(file, length_unit);
-  TriangleMesh mesh = read_facets(file).mesh;
+  FacetData data = read_facets(file);
+  TriangleMesh& mesh = data.mesh;
   if (mesh.triangles.empty()) file.refuse("has no facet.");
   merge_vertices(mesh);
+  const std::string coarse =
+      check_resolution(file, mesh.vertices, data.single_precision, length_unit);
+  if (notes && !coarse.empty()) notes->push_back(coarse);
   for (Vector3& v : mesh.vertices) v *= length_unit;
   if (std::none_of(mesh.triangles.begin(), mesh.triangles.end(),
                    [&](const auto& t) { return has_area(mesh, t); }))

@@ -111,8 +111,11 @@ MeshWall mesh_wall(const std::string& name, TriangleMesh world_mesh,
 
 // The triangles of an STL, PLY or OBJ file, open surfaces allowed. `length_unit` is the length of
 // one file unit [m]. Throws InputError that names the file when it is missing, of another format
-// than its extension says, damaged, or has no facet, or when the unit is not above 0.
-TriangleMesh read_wall_mesh(const std::string& path, double length_unit);
+// than its extension says, damaged, or has no facet, when the unit is not above 0, or when its
+// coordinates are too coarse (dem/scans/resolution.h). What is only noteworthy about them is
+// appended to `notes`, sentences without the file and the full stop.
+TriangleMesh read_wall_mesh(const std::string& path, double length_unit,
+                            std::vector<std::string>* notes = nullptr);
 
 // The motion of a wall; its surface comes from the file that it was read from.
 template <class Archive> void exchange_motion(Archive& archive, MeshWall& wall)

@@ -5,6 +5,7 @@
 #include "tests/temporary_folder.h"
 
 #include <cmath>
+#include <cstring>
 
 namespace
 {
@@ -48,6 +49,29 @@ TEST_F(WallMesh, UnitsMustBeAboveZero)
       text("good.stl", "solid g\n" + facet + "vertex 0 1 0\nendloop\nendfacet\nendsolid g\n");
   EXPECT_EQ(read_wall_mesh(good, 1).triangles.size(), 1u);
   for (const double unit : {0., -1., std::nan("")}) expect_refused(good, {"unit"}, unit);
+}
+
+// A thousand kilometres from the origin single precision tells places 6 cm apart, five from it half a
+// millimetre.
+TEST_F(WallMesh, CoordinatesThatAreTooCoarseAreRefused)
+{
+  const auto stl = [this](const std::string& name, double x0) {
+    std::string bytes(84, '\0');
+    const std::uint32_t facets = 1;
+    std::memcpy(&bytes[80], &facets, 4);
+    for (const double x : {0., 0., 1., x0, 0., 0., x0 + 1, 0., 0., x0, 1., 0.}) {
+      const float value = static_cast<float>(x);
+      bytes.append(reinterpret_cast<const char*>(&value), 4);
+    }
+    bytes.append(2, '\0');
+    return write(name, bytes).string();
+  };
+  expect_refused(stl("far.stl", 1e6), {"precision"});
+  std::vector<std::string> notes;
+  read_wall_mesh(stl("near.stl", 10), 1, &notes);
+  EXPECT_TRUE(notes.empty());
+  read_wall_mesh(stl("farther.stl", 5e3), 1, &notes);
+  EXPECT_EQ(notes.size(), 1u);
 }
 
 TEST_F(WallMesh, SurfacesWithoutAreaOrWithWrongCornersAreRefused)
