@@ -240,8 +240,11 @@ void add_run_command(CLI::App& program)
                     "Remove the results of an earlier run in the output folder first.");
   command->add_flag("--unusual", arguments->unusual,
                     "Take values that are far from those of ballast and geogrids as they are.");
-  command->footer("Example: interlock run cases/pullout/quick.prm --set \"Geogrid/Rigid=true\" -o "
-                  "results/rigid");
+  command->footer(
+      "Example: interlock run cases/pullout/quick.prm --set \"Start "
+      "from=results/quick/state_before_pull.h5\" --set \"Geogrid/Youngs modulus=1e9\" -o "
+      "results/softer\n\nExit codes: 0 done, 2 the input is refused, 3 the run failed or its "
+      "result is not to be used, 130 interrupted.");
   command->callback([arguments] { run(*arguments); });
 }
 } // namespace interlock::apps
