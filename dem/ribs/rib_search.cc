@@ -27,7 +27,6 @@ RibSearch::RibSearch(const std::vector<Rib>& ribs, double margin)
     const Box box(rib.x[0].cwiseMin(rib.x[1]) - grown, rib.x[0].cwiseMax(rib.x[1]) + grown);
     entries.emplace_back(box_of<Point>(box), static_cast<int>(boxes_.size()));
     boxes_.push_back(box);
-    all_.extend(box);
   }
   tree_ = decltype(tree_)(entries); // made at once: packed
 }

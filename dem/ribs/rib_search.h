@@ -1,4 +1,4 @@
-// Which ribs are near a place: for the list of RibContacts.
+// Which ribs are near a place: for the list of RibContacts. World frame, metres.
 #pragma once
 
 #include "dem/ribs/ribs.h"
@@ -26,7 +26,6 @@ public:
   // sides.
   RibSearch(const std::vector<Rib>& ribs, double margin);
 
-  const Box& all() const { return all_; } // around the boxes of all ribs
   const Box& box(int rib) const { return boxes_[rib]; }
   // The ribs whose boxes touch this one, ascending.
   void find(const Box& place, std::vector<int>& ribs) const;
@@ -36,7 +35,6 @@ private:
   using Entry = std::pair<boost::geometry::model::box<Point>, int>;
 
   std::vector<Box> boxes_;
-  Box all_;
   boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>> tree_;
 };
 } // namespace interlock::dem
