@@ -1,95 +1,17 @@
 // ParaView's time series. It takes a wrong value, shape or unit in the HDF5 file, an XDMF file that
-// points at a data set that is not there or has another size, a frame that is listed before it is
-// complete, a series that goes on otherwise than without the interruption, or a full disk that
-// spoils a frame, to fail. The XDMF text is read as XML, the numbers with deal.II's HDF5 classes.
-#include "coupling/files/atomic_file.h"
+// points at a data set that is not there or has another size, or a frame that is listed before it
+// is complete, to fail.
 #include "coupling/files/hdf5_memory.h"
-#include "coupling/output/field_output.h"
 #include "coupling/state/state_archive.h"
-#include "tests/refusal.h"
-#include "tests/small_disk.h"
-#include "tests/temporary_folder.h"
+#include "tests/field_output_test.h"
 
-#include <deal.II/base/hdf5.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <boost/property_tree/xml_parser.hpp>
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <hdf5.h>
 
-#include <filesystem>
 #include <memory>
-#include <sstream>
 
-using namespace interlock::coupling;
-namespace fs = std::filesystem;
-namespace h5 = dealii::HDF5;
-using Tree = boost::property_tree::ptree;
-
-namespace
-{
-class FieldOutput : public TemporaryFolderTest
-{
-protected:
-  // The <Grid> elements of the frames, in order.
-  std::vector<Tree> frames(const std::string& name) const
-  {
-    Tree file;
-    boost::property_tree::read_xml((folder / (name + ".xdmf")).string(), file);
-    const Tree& collection = file.get_child("Xdmf.Domain.Grid");
-    EXPECT_EQ(collection.get<std::string>("<xmlattr>.CollectionType"), "Temporal");
-    std::vector<Tree> grids;
-    for (const auto& child : collection)
-      if (child.first == "Grid") grids.push_back(child.second);
-    return grids;
-  }
-
-  // The data set behind a <DataItem>; checks that it has the dimensions that the item states.
-  h5::DataSet data_of(const Tree& element) const
-  {
-    const Tree& item = element.get_child("DataItem");
-    const std::string reference = item.data();
-    const auto colon = reference.find(":/");
-    h5::File file((folder / reference.substr(0, colon)).string(), h5::File::FileAccessMode::open);
-    h5::DataSet data = file.open_dataset(reference.substr(colon + 2));
-    std::istringstream stated(item.get<std::string>("<xmlattr>.Dimensions"));
-    std::vector<hsize_t> dimensions;
-    for (hsize_t size; stated >> size;) dimensions.push_back(size);
-    EXPECT_EQ(data.get_dimensions(), dimensions) << reference;
-    return data;
-  }
-
-  // A frame of a series of lines that tells which one it is.
-  static void write_frame(FieldSeries& series)
-  {
-    const int n = series.frames();
-    series.write(0.1 * n, {0, 0.5, 1, 2, 2.5, 3. + n}, {0, 1},
-                 {{"force", "N", FieldSupport::cells, 1, {10. * n}}});
-  }
-
-  int frame_files(const std::string& sub = "") const
-  {
-    const fs::path frames = folder / sub / "frames";
-    if (!fs::exists(frames)) return 0;
-    return static_cast<int>(
-        std::distance(fs::directory_iterator(frames), fs::directory_iterator()));
-  }
-
-  // Relative to the sub-folder, sorted.
-  std::vector<fs::path> files_below(const std::string& sub) const
-  {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder / sub))
-      if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder / sub));
-    std::sort(files.begin(), files.end());
-    return files;
-  }
-};
-
-const std::vector<double> two_points = {0, 0.5, 1, 2, 2.5, 3};
-} // namespace
+using namespace field_output_test;
 
 TEST_F(FieldOutput, ReadsBackPointsWithScalarAndVectorFields)
 {
@@ -299,116 +221,6 @@ TEST_F(FieldOutput, IndexLeadsToEveryFrame)
       EXPECT_EQ(index.open_group(group).get_attribute<double>("time"), 0.1 * n);
     }
   }
-}
-
-// --- Going on ----------------------------------------------------------------------------------
-
-// The run is stopped when it has written more frames than its state knows of; it goes on in another
-// process, and nothing tells the files from those of a run that was left alone.
-TEST_F(FieldOutput, GoesOnWithTheSameFiles)
-{
-  FieldSeries whole(folder / "whole" / "contacts", FieldSeries::Topology::lines);
-  fs::create_directory(folder / "whole");
-  whole.start();
-  for (int frame = 0; frame < 5; ++frame) write_frame(whole);
-
-  fs::create_directory(folder / "cut");
-  for (int kept = 0; kept <= 5; ++kept)
-    for (const int beyond : {0, 1, 3}) {
-      const StateTree state = [&] {
-        FieldSeries series(folder / "cut" / "contacts", FieldSeries::Topology::lines);
-        series.start();
-        for (int frame = 0; frame < kept; ++frame) write_frame(series);
-        StateTree tree;
-        StateWriter archive(tree);
-        archive("series", series);
-        for (int frame = 0; frame < beyond; ++frame)
-          series.write(9, {}, {}, {}); // not what comes then
-        return tree;
-      }();
-      FieldSeries series(folder / "cut" / "contacts", FieldSeries::Topology::lines);
-      StateReader archive(state);
-      archive("series", series);
-      series.rewind();
-      EXPECT_EQ(series.frames(), kept);
-      EXPECT_EQ(frame_files("cut"), kept); // those beyond are gone
-      if (kept > 0) {
-        EXPECT_EQ(frames("cut/contacts").size(), std::size_t(kept));
-      } else {
-        EXPECT_FALSE(fs::exists(folder / "cut" / "contacts.xdmf"));
-      }
-      while (series.frames() < 5) write_frame(series);
-      const std::vector<fs::path> files = files_below("whole");
-      ASSERT_EQ(files.size(), 7u);
-      ASSERT_EQ(files_below("cut"), files);
-      for (const fs::path& file : files)
-        ASSERT_EQ(file_text(folder / "cut" / file), file_text(folder / "whole" / file))
-            << file << " after " << kept << " frames and " << beyond << " beyond";
-    }
-}
-
-TEST_F(FieldOutput, RefusesToGoOnWithoutAFrame)
-{
-  FieldSeries series(folder / "contacts", FieldSeries::Topology::lines);
-  series.start();
-  for (int frame = 0; frame < 3; ++frame) write_frame(series);
-  fs::remove(folder / "frames" / "contacts_000001.vtkhdf");
-  expect_refusal([&] { series.rewind(); }, (folder / "frames" / "contacts_000001.vtkhdf").string(),
-                 {"is not there any more"});
-  EXPECT_TRUE(fs::exists(folder / "frames" / "contacts_000002.vtkhdf"));
-}
-
-// Another series in the folder is none of its business.
-TEST_F(FieldOutput, LeavesOtherSeriesAlone)
-{
-  FieldSeries clumps(folder / "clumps", FieldSeries::Topology::points);
-  clumps.start();
-  clumps.write(0, two_points, {}, {});
-  FieldSeries contacts(folder / "contacts", FieldSeries::Topology::lines);
-  contacts.start();
-  write_frame(contacts);
-  contacts.start();
-  EXPECT_EQ(frame_files(), 1);
-  EXPECT_EQ(frames("clumps").size(), 1u);
-}
-
-// --- Full disks --------------------------------------------------------------------------------
-
-// The frame, or the index that would list it, finds no room: the frames before are as they were,
-// and the series goes on when there is room again.
-TEST_F(FieldOutput, FullDiskSpoilsNoFrame)
-{
-  FieldSeries series(folder / "contacts", FieldSeries::Topology::lines);
-  series.start();
-  while (series.frames() < 24) write_frame(series);
-  const std::vector<fs::path> files = files_below("");
-  std::vector<std::string> texts;
-  for (const fs::path& file : files) texts.push_back(file_text(folder / file));
-  const std::size_t frame_size = fs::file_size(folder / "frames" / "contacts_000000.vtkhdf"),
-                    xdmf_size = fs::file_size(folder / "contacts.xdmf");
-  ASSERT_GT(xdmf_size, frame_size + 100);
-
-  for (const auto& [room, file] :
-       {std::pair<std::size_t, fs::path>{frame_size / 2,
-                                         folder / "frames" / "contacts_000024.vtkhdf"},
-        {frame_size + 100, folder / "contacts.xdmf"}}) {
-    try {
-      const SmallDisk disk(room);
-      write_frame(series);
-      ADD_FAILURE() << "written with room for " << room << " bytes";
-    } catch (const WriteError& error) {
-      EXPECT_EQ(std::string(error.what()),
-                "the file " + file.string() + " cannot be written: File too large");
-    }
-    EXPECT_EQ(series.frames(), 24);
-    for (std::size_t k = 0; k < files.size(); ++k)
-      EXPECT_EQ(file_text(folder / files[k]), texts[k]) << files[k];
-    for (const fs::path& any : files_below("")) EXPECT_NE(any.extension(), ".part") << any;
-  }
-  write_frame(series);
-  EXPECT_EQ(frames("contacts").size(), 25u);
-  EXPECT_EQ(data_of(frames("contacts").at(24).get_child("Attribute")).read<std::vector<double>>(),
-            std::vector<double>{240});
 }
 
 TEST_F(FieldOutput, RefusesSizesThatDoNotFitAndWritesNothing)
