@@ -1,5 +1,7 @@
 #include "coupling/parameters/parameter_table.h"
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <boost/algorithm/string.hpp>
 
 #include <algorithm>
@@ -83,6 +85,10 @@ std::string ParameterEntry::key() const
   return section.empty() ? name : section + "/" + name;
 }
 
+ParameterTable::ParameterTable() : handler_(std::make_unique<dealii::ParameterHandler>()) {}
+ParameterTable::~ParameterTable() = default;
+ParameterTable::ParameterTable(ParameterTable&&) noexcept = default;
+
 void ParameterTable::open_section(const std::string& name)
 {
   section_ = name;
@@ -105,9 +111,9 @@ void ParameterTable::bind(const std::string& name, T& member, const T& start,
   // pattern.
   const T before = member;
   member = start;
-  if (!section_.empty()) handler_.enter_subsection(section_);
-  handler_.add_parameter(name, member, text, pattern, required);
-  if (!section_.empty()) handler_.leave_subsection();
+  if (!section_.empty()) handler_->enter_subsection(section_);
+  handler_->add_parameter(name, member, text, pattern, required);
+  if (!section_.empty()) handler_->leave_subsection();
   if (required) member = before;
 }
 
@@ -204,21 +210,21 @@ void ParameterTable::offer_folder(const std::string& name, std::string& member,
 bool ParameterTable::set(const ParameterEntry& entry, const std::string& value)
 {
   bool allowed = true;
-  if (!entry.section.empty()) handler_.enter_subsection(entry.section);
+  if (!entry.section.empty()) handler_->enter_subsection(entry.section);
   try {
-    handler_.set(entry.name, value);
+    handler_->set(entry.name, value);
   } catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern&) {
     allowed = false;
   }
-  if (!entry.section.empty()) handler_.leave_subsection();
+  if (!entry.section.empty()) handler_->leave_subsection();
   return allowed;
 }
 
 std::string ParameterTable::get(const ParameterEntry& entry) const
 {
-  if (!entry.section.empty()) handler_.enter_subsection(entry.section);
-  const std::string value = handler_.get(entry.name);
-  if (!entry.section.empty()) handler_.leave_subsection();
+  if (!entry.section.empty()) handler_->enter_subsection(entry.section);
+  const std::string value = handler_->get(entry.name);
+  if (!entry.section.empty()) handler_->leave_subsection();
   return value;
 }
 

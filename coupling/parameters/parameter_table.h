@@ -4,12 +4,21 @@
 // and whether the entry must be given.
 #pragma once
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <cstdint>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
+
+// Its header takes ten seconds to compile, and half the program sees this one.
+namespace dealii
+{
+class ParameterHandler;
+namespace Patterns
+{
+class PatternBase;
+}
+} // namespace dealii
 
 namespace interlock::coupling
 {
@@ -38,6 +47,10 @@ extern const Range not_negative; // 0 or more
 class ParameterTable
 {
 public:
+  ParameterTable();
+  ~ParameterTable();
+  ParameterTable(ParameterTable&&) noexcept;
+
   // The following entries belong to this section.
   void open_section(const std::string& name);
 
@@ -78,7 +91,7 @@ private:
             const dealii::Patterns::PatternBase& pattern, const std::string& allowed,
             const std::string& text, bool required);
 
-  mutable dealii::ParameterHandler handler_; // mutable: its subsections are entered to read
+  std::unique_ptr<dealii::ParameterHandler> handler_;
   std::string section_;
   std::vector<ParameterEntry> entries_;
 };

@@ -4,6 +4,8 @@
 #include "fem/beam/section_forces.h"
 #include "fem/lattice/beam_constants.h"
 
+#include <deal.II/lac/vector.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <map>

@@ -4,13 +4,16 @@
 #include "fem/lattice/lattice.h"
 #include "fem/lattice/quadratic_lattice.h"
 
-#include <deal.II/lac/vector.h>
-
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 
 #include <array>
 #include <vector>
+
+namespace dealii
+{
+template <typename> class Vector;
+}
 
 namespace interlock::fem
 {
