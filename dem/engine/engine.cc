@@ -181,7 +181,8 @@ int Engine::add_mesh_wall(const MeshWall& wall)
 void Engine::kick_all(double dt, const VectorField* other_force, const VectorField* other_torque)
 {
   const auto start = Clock::now();
-  if (local_damping_ > 0) damp_locally(dt, other_force, other_torque);
+  if (local_damping_.share > 0)
+    local_damping_loss_ += local_damping_.damp(clumps_, gravity_, dt, other_force, other_torque);
   const int n = clumps_.position.padded_size();
   const double* __restrict inverse_mass = clumps_.inverse_mass.row(0);
   for (int c = 0; c < 3; ++c) {
@@ -196,30 +197,6 @@ void Engine::kick_all(double dt, const VectorField* other_force, const VectorFie
     }
   }
   profile_.integration += seconds(start, Clock::now());
-}
-
-// Takes the damping off the forces and torques before they are kicked in. Signs and work are those
-// of the velocity before the kick.
-void Engine::damp_locally(double dt, const VectorField* other_force,
-                          const VectorField* other_torque)
-{
-  const Vector3 zero = Vector3::Zero();
-  for (int i = 0; i < clumps_.size(); ++i) {
-    const Vector3 f = clumps_.force[i] + (other_force ? Vector3((*other_force)[i]) : zero);
-    if (f == zero) continue;
-    const Vector3 t = clumps_.torque[i] + (other_torque ? Vector3((*other_torque)[i]) : zero);
-    const Vector3 weight(0, 0, clumps_.mass[i] * gravity_);
-    const Vector3 v = clumps_.velocity[i], w = clumps_.spin[i];
-    const Vector3 force = local_damping_ * (f - weight).cwiseAbs().cwiseProduct(v.cwiseSign());
-    const Vector3 torque = local_damping_ * t.cwiseAbs().cwiseProduct(w.cwiseSign());
-    clumps_.force[i] -= force;
-    clumps_.torque[i] -= torque;
-    const Vector3 mean_v =
-        v + 0.5 * dt * (clumps_.inverse_mass[i] * clumps_.force[i] - gravity_ * Vector3::UnitZ());
-    const Vector3 mean_w =
-        clumps_.spin_of(i, clumps_.angular_momentum[i] + 0.5 * dt * clumps_.torque[i]);
-    local_damping_loss_ += dt * (force.dot(mean_v) + torque.dot(mean_w));
-  }
 }
 
 void Engine::drift_all(double dt, const ScalarField* held)

@@ -11,6 +11,7 @@
 
 #include "dem/contacts/contact_memory.h"
 #include "dem/contacts/contact_views.h"
+#include "dem/engine/local_damping.h"
 #include "dem/engine/rolling_resistance.h"
 #include "dem/lists/neighbour_lists.h"
 #include "dem/ribs/rib_contacts.h"
@@ -109,11 +110,9 @@ public:
                 const VectorField* other_torque = nullptr);
   // Moves every clump, except those with (*held)[i] = 1.
   void drift_all(double dt, const ScalarField* held = nullptr);
-  // Local damping (Cundall 1987) of clumps that touch something, to settle a packing faster: each
-  // component of the unbalanced force and torque is lowered by this share of its size where it
-  // speeds the clump up, and raised where it slows it down. 0 switches it off [-].
-  void set_local_damping(double share) { local_damping_ = share; }
-  double local_damping() const { return local_damping_; }
+  // Local damping by this share, see local_damping.h; 0 switches it off [-].
+  void set_local_damping(double share) { local_damping_.share = share; }
+  double local_damping() const { return local_damping_.share; }
   void move_walls(double dt);
 
   // One whole step of everything, when there are no ribs.
@@ -132,7 +131,7 @@ public:
   // to the safety factor. `ribs` adds the contacts with ribs.
   StableStep stable_step(const RibContacts* ribs = nullptr) const;
   // The same before there are contacts, for the shape that would set it if it had `n_contacts`
-  // contacts where its surface is most mobile.
+  // contacts where its surface is most mobile: of the first shapes, one for each density [kg/m3].
   StableStep expected_stable_step(const std::vector<double>& densities, int n_contacts) const;
 
   // Of two clumps sorted by (i, j, a, b), and at walls sorted by (wall, i, a); those about to touch
@@ -174,7 +173,7 @@ public:
     if (Archive::reading) engine.set_mesh_wall_motions(motions);
     archive("rolling", engine.rolling_properties_);
     archive("energy", engine.contact_energy_);
-    archive("local_damping", engine.local_damping_);
+    archive("local_damping", engine.local_damping_.share);
     archive("local_damping_loss", engine.local_damping_loss_, "J");
     archive("wall_work", engine.wall_work_, "J");
     archive("inserted", engine.inserted_, "J");
@@ -210,7 +209,6 @@ private:
   double elastic_energy(const WallContact& contact) const;
   double body_energy(int clump) const;
   void resist_rolling(double dt);
-  void damp_locally(double dt, const VectorField* other_force, const VectorField* other_torque);
 
   Clumps clumps_;
   std::vector<Wall> walls_;
@@ -225,7 +223,7 @@ private:
   ContactProperties stone_on_stone_;
   double gravity_;
   ContactEnergy contact_energy_;
-  double local_damping_ = 0;
+  LocalDamping local_damping_;
   double local_damping_loss_ = 0, wall_work_ = 0, inserted_ = 0;
   int n_touching_ = 0;
   ScalarField nothing_held_;

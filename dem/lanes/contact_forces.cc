@@ -1,6 +1,8 @@
 // The hot loop: the contact law over all lanes, and the sums over clumps.
 #include "dem/lanes/contact_lanes.h"
 
+#include "dem/bodies/field_rows.h"
+
 namespace interlock::dem
 {
 namespace
@@ -8,34 +10,18 @@ namespace
 // Rows of the state that contacts read.
 struct BodyRows {
   explicit BodyRows(const Clumps& c)
-      : x(c.position.row(0)), y(c.position.row(1)), z(c.position.row(2)), qx(c.orientation.row(0)),
-        qy(c.orientation.row(1)), qz(c.orientation.row(2)), qw(c.orientation.row(3)),
-        vx(c.step_velocity.row(0)), vy(c.step_velocity.row(1)), vz(c.step_velocity.row(2)),
-        wx(c.step_spin.row(0)), wy(c.step_spin.row(1)), wz(c.step_spin.row(2))
+      : positions(c.position), attitudes(c.orientation), velocities(c.step_velocity),
+        spins(c.step_spin)
   {
   }
-  const double* __restrict x, * __restrict y, * __restrict z;
-  const double* __restrict qx, * __restrict qy, * __restrict qz, * __restrict qw;
-  const double* __restrict vx, * __restrict vy, * __restrict vz;
-  const double* __restrict wx, * __restrict wy, * __restrict wz;
+  Rows3<const double> positions;
+  QuaternionRows<const double> attitudes;
+  Rows3<const double> velocities, spins;
 
-  INTERLOCK_LANE Lane3 position(std::int64_t i) const { return {x[i], y[i], z[i]}; }
-  INTERLOCK_LANE LaneQuaternion attitude(std::int64_t i) const
-  {
-    return {qx[i], qy[i], qz[i], qw[i]};
-  }
-  INTERLOCK_LANE Lane3 velocity(std::int64_t i) const { return {vx[i], vy[i], vz[i]}; }
-  INTERLOCK_LANE Lane3 spin(std::int64_t i) const { return {wx[i], wy[i], wz[i]}; }
-};
-
-template <class Number> struct Rows3 {
-  template <class Field>
-  explicit Rows3(Field& field) : x(field.row(0)), y(field.row(1)), z(field.row(2))
-  {
-  }
-  Number* __restrict x, * __restrict y, * __restrict z;
-  INTERLOCK_LANE Lane3 get(std::int64_t k) const { return {x[k], y[k], z[k]}; }
-  INTERLOCK_LANE void set(std::int64_t k, Lane3 a) const { x[k] = a.x, y[k] = a.y, z[k] = a.z; }
+  INTERLOCK_LANE Lane3 position(std::int64_t i) const { return positions.get(i); }
+  INTERLOCK_LANE LaneQuaternion attitude(std::int64_t i) const { return attitudes.get(i); }
+  INTERLOCK_LANE Lane3 velocity(std::int64_t i) const { return velocities.get(i); }
+  INTERLOCK_LANE Lane3 spin(std::int64_t i) const { return spins.get(i); }
 };
 
 // Rows of the lanes.
