@@ -50,54 +50,48 @@ RibTransfer::RibTransfer(const fem::Lattice& unloaded, const fem::DynamicsOption
   else
     dynamics_.clamp(clamped);
 
-  ribs_.resize(lattice().n_elements());
-  for (int r = 0; r < lattice().n_elements(); ++r) {
-    const fem::LatticeElement& element = lattice().element(r);
-    unloaded_width_axis_.push_back(element.frame * dem::Vector3::UnitY());
-    dem::Rib& rib = ribs_[r];
-    rib.line = element.line;
-    rib.half_width = 0.5 * lattice().shape(r).width;
-    rib.half_thickness = 0.5 * lattice().shape(r).thickness;
-    rib.rounding = edge_rounding;
+  std::vector<dem::RibShape> shapes;
+  for (int e = 0; e < lattice().n_elements(); ++e) {
+    const fem::LatticeElement& element = lattice().element(e);
+    dem::RibShape shape;
+    shape.line = element.line;
+    shape.first_end = dynamics_.first_slot(e);
+    shape.half_width = 0.5 * lattice().shape(e).width;
+    shape.half_thickness = 0.5 * lattice().shape(e).thickness;
+    shape.rounding = edge_rounding;
     for (int end : {0, 1}) {
       const int node = element.node[end];
       const bool prescribed =
           rigid_ || std::find(clamped.begin(), clamped.end(), node) != clamped.end();
-      rib.inverse_mass[end] = prescribed ? 0 : 1 / dynamics_.mass(node);
+      shape.inverse_mass[end] = prescribed ? 0 : 1 / dynamics_.mass(node);
+      shape.width_axis[end] = element.frame * dem::Vector3::UnitY();
     }
+    shapes.push_back(shape);
   }
-  refresh_all_ribs();
+  ribs_ = dem::RibSet(std::move(shapes), dynamics_.n_slots());
+  refresh_ribs();
 }
 
-void RibTransfer::refresh_rib(int r)
+void RibTransfer::refresh_ribs()
 {
-  dem::Rib& rib = ribs_[r];
-  for (int end : {0, 1}) {
-    rib.x[end] = dynamics_.end_position(r, end);
-    rib.v[end] = dynamics_.velocity_at(r, end);
-    rib.w[end] = dynamics_.spin_at(r, end);
-    rib.width_axis[end] = dynamics_.end_orientation(r, end) * unloaded_width_axis_[r];
+  const auto copy = [n = dynamics_.n_slots()](const fem::Lane& from, double* to) {
+    std::copy_n(from.data(), n, to);
+  };
+  for (int c = 0; c < 3; ++c) {
+    copy(dynamics_.slot_positions()[c], ribs_.position.row(c));
+    copy(dynamics_.slot_velocities()[c], ribs_.velocity.row(c));
+    copy(dynamics_.slot_spins()[c], ribs_.spin.row(c));
   }
+  for (int c = 0; c < 4; ++c) // w x y z there, x y z w here
+    copy(dynamics_.slot_orientations()[c], ribs_.rotation.row((c + 3) % 4));
 }
 
-void RibTransfer::refresh_ribs(const std::vector<int>& which)
-{
-  for (const int r : which) refresh_rib(r);
-}
-
-void RibTransfer::refresh_all_ribs()
-{
-  for (int r = 0; r < static_cast<int>(ribs_.size()); ++r) refresh_rib(r);
-}
-
-void RibTransfer::apply(const std::vector<dem::RibWrench>& wrenches)
+void RibTransfer::apply(const std::vector<dem::RodLoads>& loads)
 {
   dynamics_.clear_loads();
-  for (const dem::RibWrench& w : wrenches) {
-    const dem::RodLoads loads = dem::rod_loads(ribs_[w.rib], w);
+  for (const dem::RodLoads& load : loads)
     for (const int end : {0, 1})
-      dynamics_.add_load(w.rib, end, loads.force[end], loads.moment[end]);
-  }
+      dynamics_.add_end_load(load.rib, end, load.force[end], load.moment[end]);
 }
 
 int RibTransfer::required_substeps(double dt, const dem::RibContacts& contacts) const
@@ -107,7 +101,8 @@ int RibTransfer::required_substeps(double dt, const dem::RibContacts& contacts) 
   std::vector<double> rate(lattice().n_nodes(), 0.); // bound on omega^2 of the contacts [1/s2]
   for (const dem::RibContact& c : contacts.contacts()) {
     if (c.overlap <= 0) continue;
-    const dem::Vector3 chord = ribs_[c.rib].x[1] - ribs_[c.rib].x[0];
+    const int first = ribs_.shape(c.rib).first_end;
+    const dem::Vector3 chord = ribs_.position[first + 1] - ribs_.position[first];
     const double length = chord.norm(), arm = c.arm.norm();
     const dem::Vector3 normal = c.force.norm() > 0 ? c.force.normalized() : dem::Vector3::UnitZ();
     const dem::Vector3 moment = c.arm.cross(normal); // of a unit force
@@ -125,11 +120,12 @@ int RibTransfer::required_substeps(double dt, const dem::RibContacts& contacts) 
       dragged[end] =
           std::max((share + arm / length) / std::sqrt(m), share * std::sqrt(1 / m + arm * arm / j));
     }
+    const dem::TangentStiffness k = dem::tangent_stiffness(pair, c.overlap, c.radius);
     // Blocks of k v v^T, bounded node by node as by Gershgorin.
     for (int end : {0, 1})
       rate[lattice().element(c.rib).node[end]] +=
-          std::max(pair.normal_stiffness * pushed[end] * (pushed[0] + pushed[1]),
-                   pair.tangential_stiffness * dragged[end] * (dragged[0] + dragged[1]));
+          std::max(k.normal * pushed[end] * (pushed[0] + pushed[1]),
+                   k.tangential * dragged[end] * (dragged[0] + dragged[1]));
   }
   const double beam = 2 / dynamics_.stable_step();
   const double fastest = *std::max_element(rate.begin(), rate.end());

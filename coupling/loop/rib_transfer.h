@@ -28,15 +28,14 @@ public:
   const fem::Lattice& lattice() const { return dynamics_.lattice(); }
   fem::ExplicitDynamics& dynamics() { return dynamics_; }
   const fem::ExplicitDynamics& dynamics() const { return dynamics_; }
-  const std::vector<dem::Rib>& ribs() const { return ribs_; }
+  const dem::RibSet& ribs() const { return ribs_; }
   bool rigid() const { return rigid_; }
 
-  // Copies the lattice's motion to the ribs listed, or to all.
-  void refresh_ribs(const std::vector<int>& which);
-  void refresh_all_ribs();
+  // Copies the lattice's motion to the ribs.
+  void refresh_ribs();
 
-  // Puts wrenches of stones on the lattice, in their order.
-  void apply(const std::vector<dem::RibWrench>& wrenches);
+  // Puts the loads of stones on the lattice, in their order, instead of those before.
+  void apply(const std::vector<dem::RodLoads>& loads);
 
   // Number of equal sub-steps in a step `dt` that keeps beams and the contacts of `contacts`
   // stable: 1/h^2 = 1/h_beam^2 + the largest sum, over the contacts at one node, of k N (1/m +
@@ -54,15 +53,12 @@ public:
     exchange(archive, state);
     if (!Archive::reading) return;
     geogrid.dynamics_.set_state(state);
-    geogrid.refresh_all_ribs();
+    geogrid.refresh_ribs();
   }
 
 private:
-  void refresh_rib(int r);
-
   bool rigid_;
   fem::ExplicitDynamics dynamics_;
-  std::vector<dem::Rib> ribs_;
-  std::vector<dem::Vector3> unloaded_width_axis_; // of each rib, unit
+  dem::RibSet ribs_; // their ends are the slots of the lattice
 };
 } // namespace interlock::coupling

@@ -46,7 +46,7 @@ void StaggeredStep::move(double dt, const dem::Vector3& clamp_velocity)
     engine_.move_walls(dt);
     return;
   }
-  geogrid_->refresh_all_ribs();
+  geogrid_->refresh_ribs();
   rib_contacts_.update_list(engine_.clumps(), geogrid_->ribs(), dt);
   hold_near_clumps();
   engine_.drift_all(dt, &held_);
@@ -54,11 +54,9 @@ void StaggeredStep::move(double dt, const dem::Vector3& clamp_velocity)
   const int required = geogrid_->required_substeps(dt, rib_contacts_);
   // A rigid geogrid needs one, also where a flexible one has been made rigid.
   substeps_ = geogrid_->rigid() ? required : std::max(substeps_, required);
-  rib_force_.resize(engine_.clumps().size());
-  rib_torque_.resize(engine_.clumps().size());
   clamp_force_.setZero();
   for (int s = 0; s < substeps_; ++s) substep(dt / substeps_, clamp_velocity);
-  end_mean_motion();
+  end_substeps();
   clamp_force_ /= substeps_;
   engine_.move_walls(dt);
 }
@@ -87,61 +85,33 @@ void StaggeredStep::kick_by_stones_and_walls(double dt)
 // The stones that may touch a rib within the step drift in its sub-steps, with the ribs.
 void StaggeredStep::hold_near_clumps()
 {
-  const dem::Clumps& clumps = engine_.clumps();
   held_.resize(0);
-  held_.resize(clumps.size());
-  mean_loads_.clear();
-  for (const int i : rib_contacts_.near_clumps()) {
-    held_[i] = 1;
-    MeanLoad load;
-    load.clump = clumps.id[i];
-    mean_loads_.push_back(load);
-  }
-  mean_motion_.assign(rib_contacts_.near_clumps().size(), {});
+  held_.resize(engine_.clumps().size());
+  for (const int i : rib_contacts_.near_clumps()) held_[i] = 1;
+  near_.take(engine_.clumps(), rib_contacts_.near_clumps());
 }
 
 void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
 {
-  dem::Clumps& clumps = engine_.clumps();
-  const std::vector<int>& near = rib_contacts_.near_clumps();
-  for (const int i : near) {
-    rib_force_[i].setZero();
-    rib_torque_[i].setZero();
-  }
-  geogrid_->refresh_ribs(rib_contacts_.near_ribs());
-  geogrid_->apply(
-      rib_contacts_.evaluate(clumps, geogrid_->ribs(), h, rib_force_, rib_torque_, rib_energy_));
-
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    const int i = near[k];
-    const dem::Vector3 v = clumps.drift_velocity[i], w = clumps.spin[i];
-    clumps.kick(i, h, rib_force_[i], rib_torque_[i]);
-    clumps.drift(i, h);
-    mean_motion_[k].velocity += clumps.drift_velocity[i];
-    mean_motion_[k].spin += clumps.spin[i];
-    mean_loads_[k].force += rib_force_[i];
-    mean_loads_[k].torque += rib_torque_[i];
-    // Work of a kick: force times the mean of the velocities of the drifts before and after it.
-    rib_work_on_stones_ +=
-        0.5 * h *
-        (rib_force_[i].dot(v + clumps.drift_velocity[i]) + rib_torque_[i].dot(w + clumps.spin[i]));
-  }
+  near_.clear_loads();
+  geogrid_->refresh_ribs();
+  geogrid_->apply(rib_contacts_.evaluate(near_, geogrid_->ribs(), h, rib_energy_));
+  rib_work_on_stones_ += near_.move(h);
   geogrid_->dynamics().set_clamp_velocity(clamp_velocity);
   geogrid_->dynamics().step(h);
   clamp_force_ += geogrid_->dynamics().clamp_reaction();
 }
 
-// The contacts between stones must see the mean motion of the whole step: the velocity of the last
-// sub-step alone swings with the kicks of the rib and would make their tangential springs creep.
-void StaggeredStep::end_mean_motion()
+// The contacts between stones must see the mean motion of the whole step, as put_back() gives it:
+// the velocity of the last sub-step alone swings with the kicks of the rib and would make their
+// tangential springs creep.
+void StaggeredStep::end_substeps()
 {
-  const std::vector<int>& near = rib_contacts_.near_clumps();
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    engine_.clumps().step_velocity[near[k]] = mean_motion_[k].velocity / substeps_;
-    engine_.clumps().step_spin[near[k]] = mean_motion_[k].spin / substeps_;
-    mean_loads_[k].force /= substeps_;
-    mean_loads_[k].torque /= substeps_;
-  }
+  near_.put_back(engine_.clumps());
+  mean_loads_.clear();
+  for (int place = 0; place < near_.size(); ++place)
+    mean_loads_.push_back({engine_.clumps().id[rib_contacts_.near_clumps()[place]],
+                           near_.mean_force(place), near_.mean_torque(place)});
 }
 
 EnergyLedger StaggeredStep::ledger(double dt) const

@@ -10,6 +10,7 @@
 
 #include "coupling/loop/energy_ledger.h"
 #include "coupling/loop/rib_transfer.h"
+#include "dem/bodies/subcycled_clumps.h"
 #include "dem/engine/engine.h"
 
 namespace interlock::coupling
@@ -39,6 +40,8 @@ public:
   // Mean force of the clamp on the lattice over the last step [N].
   const dem::Vector3& clamp_force() const { return clamp_force_; }
   int substeps() const { return substeps_; }
+  // The next step takes as many sub-steps as it needs, also if that is fewer than before.
+  void forget_substeps() { substeps_ = 1; }
   const dem::RibContacts& rib_contacts() const { return rib_contacts_; }
   // Pair properties of stones with ribs; changing them between steps is allowed.
   dem::ContactProperties& stone_on_rib() { return rib_contacts_.properties(); }
@@ -73,15 +76,10 @@ private:
       archive("torque", load.torque, "N m");
     }
   };
-  // Sums over the sub-steps so far of a stone near ribs.
-  struct MeanMotion {
-    dem::Vector3 velocity = dem::Vector3::Zero(), spin = dem::Vector3::Zero();
-  };
-
   void kick_by_stones_and_walls(double dt);
   void hold_near_clumps();
   void substep(double h, const dem::Vector3& clamp_velocity);
-  void end_mean_motion();
+  void end_substeps();
 
   dem::Engine& engine_;
   RibTransfer* geogrid_ = nullptr;
@@ -90,12 +88,12 @@ private:
   double geogrid_inserted_ = 0;                 // energy of the lattice when it was placed [J]
   double rib_energy_removed_ = 0;               // of contacts with ribs, gone with their stones [J]
   double rib_work_on_stones_ = 0;               // [J]
-  dem::VectorField rib_force_, rib_torque_;     // on clumps, of the present sub-step
+  dem::SubcycledClumps near_;                   // the near clumps of rib_contacts_, in a step
   std::vector<MeanLoad> mean_loads_;            // of the last step, ascending ids
-  std::vector<MeanMotion> mean_motion_;         // by place among the near clumps
   dem::VectorField other_force_, other_torque_; // mean_loads_ by clump
   dem::ScalarField held_;                       // 1: drifts in sub-steps
-  // Only grows, so that velocities stay centred between equal steps: part of the state.
+  // Only grows within a stage, so that velocities stay centred between equal steps: part of the
+  // state.
   int substeps_ = 1;
   dem::Vector3 clamp_force_ = dem::Vector3::Zero();
 };

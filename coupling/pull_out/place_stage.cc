@@ -28,11 +28,12 @@ bool overlaps(const dem::Clumps& clumps, int i, const std::vector<dem::Rib>& rib
 std::vector<bool> in_the_way(const PullOut& experiment, const RibTransfer& geogrid)
 {
   const dem::Clumps& clumps = experiment.world().engine.clumps();
+  const std::vector<dem::Rib> ribs = geogrid.ribs().all();
   std::vector<bool> result(clumps.size());
   for (int i = 0; i < clumps.size(); ++i) {
     const double reach = clumps.bounding_radius(i) + experiment.parameters().geogrid.rib_width;
     const bool near = std::abs(clumps.position[i].z() - experiment.geogrid_height()) <= reach;
-    result[i] = near && overlaps(clumps, i, geogrid.ribs());
+    result[i] = near && overlaps(clumps, i, ribs);
   }
   return result;
 }

@@ -144,23 +144,6 @@ Vector3 Clumps::spin_of(int i, const Vector3& momentum) const
       spin_from_momentum(lane(orientation[i]), dem::lane(momentum), dem::lane(inverse_inertia[i])));
 }
 
-void Clumps::kick(int i, double dt, const Vector3& f, const Vector3& t)
-{
-  velocity[i] += (dt * inverse_mass[i]) * f;
-  angular_momentum[i] += dt * t;
-}
-
-void Clumps::drift(int i, double dt)
-{
-  position[i] += dt * velocity[i];
-  const AttitudeStep step = advance_attitude(lane(orientation[i]), dem::lane(angular_momentum[i]),
-                                             dem::lane(inverse_inertia[i]), dt);
-  const LaneQuaternion q = step.attitude;
-  orientation.set(i, Quaternion(q.w, q.x, q.y, q.z));
-  spin[i] = step_spin[i] = vector(step.spin);
-  drift_velocity[i] = step_velocity[i] = velocity[i];
-}
-
 void Clumps::drift_all(double dt, const ScalarField& held_clumps)
 {
   const double* __restrict held = held_clumps.row(0);

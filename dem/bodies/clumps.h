@@ -59,13 +59,8 @@ public:
   // World spin from the angular momentum at the present attitude [rad/s].
   Vector3 spin_of(int clump, const Vector3& momentum) const;
 
-  // Adds dt times force and torque to the momenta.
-  void kick(int clump, double dt, const Vector3& force, const Vector3& torque);
-
-  // Moves one clump by dt: position with its velocity, attitude with advance_attitude()
-  // (rigid_motion.h).
-  void drift(int clump, double dt);
-  // The same for every clump; those with `held`[i] = 1 stay as they are (0: move).
+  // Moves every clump by dt [s]: position with its velocity, attitude with advance_attitude()
+  // (rigid_motion.h). Those with `held`[i] = 1 stay as they are (0: move).
   void drift_all(double dt, const ScalarField& held);
 
   std::int64_t n_spheres() const; // of all clumps together

@@ -25,6 +25,15 @@ double damping_ratio_for_restitution(double restitution)
   const double l = std::log(restitution);
   return -l / std::sqrt(M_PI * M_PI + l * l);
 }
+
+TangentStiffness tangent_stiffness(const ContactProperties& pair, double overlap,
+                                   double reduced_radius)
+{
+  if (pair.model == ContactModel::linear) return {pair.normal_stiffness, pair.tangential_stiffness};
+  const double root = std::sqrt(reduced_radius * std::max(0., overlap));
+  return {2 * pair.effective_modulus * root, 8 * pair.effective_shear_modulus * root};
+}
+
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
                      double spring, const ContactShare& share)
 {

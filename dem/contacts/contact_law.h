@@ -64,6 +64,13 @@ struct ContactShare {
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
                      double spring, const ContactShare& share);
 
+// Tangent stiffnesses of one contact at this overlap [N/m].
+struct TangentStiffness {
+  double normal = 0, tangential = 0;
+};
+TangentStiffness tangent_stiffness(const ContactProperties& pair, double overlap,
+                                   double reduced_radius);
+
 // Springs in series [N/m].
 inline double series_stiffness(double k1, double k2)
 {
@@ -244,7 +251,7 @@ INTERLOCK_LANE Lane3 contact_force(const Law& law, const ContactConstants& c, do
   return f_n * normal + f_t;
 }
 
-// One contact at a time, for ribs and mesh walls: the same law with Eigen's vectors.
+// One contact at a time, for mesh walls: the same law with Eigen's vectors.
 struct ContactHistory {
   Vector3 spring = Vector3::Zero();  // see LaneHistory [m]
   double overlap = 0;                // [m]

@@ -64,7 +64,8 @@ struct RibMemory {
   int a = 0, line = 0;
   ContactHistory history;
   Vector3 force = Vector3::Zero(), point = Vector3::Zero(), arm = Vector3::Zero();
-  double overlap = 0, shared = 0; // [m]
+  double overlap = 0, shared = 0;  // [m]
+  double tangential_stiffness = 0; // of the last step [N/m]
   int rib = -1;
   double xi = 0;
 };
@@ -145,6 +146,7 @@ template <class Archive> void exchange(Archive& archive, RibMemory& contact)
   archive("arm", contact.arm, "m");
   archive("overlap", contact.overlap, "m");
   archive("shared", contact.shared, "m");
+  archive("tangential_stiffness", contact.tangential_stiffness, "N/m");
   archive("rib", contact.rib);
   archive("xi", contact.xi);
 }

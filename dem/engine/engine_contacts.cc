@@ -20,10 +20,8 @@ Overlap overlap_of(const Vector3& d, double reach)
 // The larger of the tangent stiffnesses, normal and tangential [N/m].
 double largest_stiffness(const ContactProperties& pair, double overlap, double reduced_radius)
 {
-  if (pair.model == ContactModel::linear)
-    return std::max(pair.normal_stiffness, pair.tangential_stiffness);
-  return std::max(2 * pair.effective_modulus, 8 * pair.effective_shear_modulus) *
-         std::sqrt(reduced_radius * std::max(0., overlap));
+  const TangentStiffness k = tangent_stiffness(pair, overlap, reduced_radius);
+  return std::max(k.normal, k.tangential);
 }
 
 // The most that a unit impulse at `arm` from the centre of mass can move the body's own material
@@ -162,7 +160,8 @@ StableStep Engine::stable_step(const RibContacts* ribs) const
     add(c.i, c.point, largest_stiffness(mesh_walls_[c.wall].contact, c.depth, radius(c.i, c.a)));
   if (ribs)
     for (const RibContact& c : ribs->contacts())
-      if (c.overlap > 0) add(c.i, c.point, largest_stiffness(ribs->properties(), c.overlap, 0));
+      if (c.overlap > 0)
+        add(c.i, c.point, largest_stiffness(ribs->properties(), c.overlap, radius(c.i, c.a)));
 
   StableStep limit;
   double largest = 0;
@@ -184,8 +183,8 @@ StableStep Engine::expected_stable_step(const std::vector<double>& densities, in
 {
   StableStep limit;
   double largest = 0;
-  for (std::size_t s = 0; s < clumps_.shapes().size(); ++s) {
-    const ClumpShape& shape = clumps_.shapes()[s];
+  for (std::size_t s = 0; s < densities.size(); ++s) {
+    const ClumpShape& shape = clumps_.shapes().at(s);
     const double mass = densities[s] * shape.volume;
     double mobility = 0;
     for (const Sphere& sphere : shape.spheres) {

@@ -13,7 +13,7 @@ namespace
 // See select_near: steps of room for kicks, and a share of a rib's half thickness.
 constexpr double near_steps = 2, near_margin = 0.01;
 // A list shall last for so many steps, within these skins [m].
-constexpr double list_steps = 40, smallest_skin = 1e-4, largest_skin = 1e-3;
+constexpr double list_steps = 160, smallest_skin = 1e-4, largest_skin = 1e-3;
 
 auto key(const RibContact& c)
 {
@@ -21,14 +21,13 @@ auto key(const RibContact& c)
 }
 
 // A bound on the speed of any point of a rib [m/s].
-double rib_speed(const Rib& rib)
+double largest_speed(const RibSet& ribs, const RibShape& shape)
 {
-  double moving = 0, turning = 0;
-  for (int end : {0, 1}) {
-    moving = std::max(moving, rib.v[end].squaredNorm());
-    turning = std::max(turning, rib.w[end].squaredNorm());
-  }
-  return std::sqrt(moving) + section_reach(rib) * std::sqrt(turning);
+  const int e = shape.first_end;
+  const double moving =
+      std::max(ribs.velocity[e].squaredNorm(), ribs.velocity[e + 1].squaredNorm());
+  const double turning = std::max(ribs.spin[e].squaredNorm(), ribs.spin[e + 1].squaredNorm());
+  return std::sqrt(moving) + (shape.half_width + shape.half_thickness) * std::sqrt(turning);
 }
 } // namespace
 
@@ -36,9 +35,10 @@ void RibContacts::clear()
 {
   contacts_.clear();
   near_clumps_.clear();
-  near_ribs_.clear();
   near_contacts_.clear();
-  wrenches_.clear();
+  spheres_on_lines_.clear();
+  near_pairs_.resize(0);
+  lanes_.resize(0);
   valid_ = false;
 }
 
@@ -51,132 +51,130 @@ void RibContacts::renumber_clumps(const std::vector<int>& new_index)
   invalidate();
 }
 
-void RibContacts::update_list(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step)
+void RibContacts::update_list(const Clumps& clumps, const RibSet& ribs, double time_step)
 {
-  rib_speed_.clear();
-  for (const Rib& rib : ribs) rib_speed_.push_back(rib_speed(rib));
-  if (!list_holds(clumps, ribs, time_step)) {
+  double thickest = 0;
+  for (int r = 0; r < ribs.size(); ++r) thickest = std::max(thickest, ribs.shape(r).half_thickness);
+  // Whoever select_near may choose must be in the list.
+  if (!valid_ || !watch_.holds(clumps, ribs, near_steps * time_step, near_margin * thickest)) {
     build(clumps, ribs, time_step);
     valid_ = true;
   }
   select_near(clumps, ribs, time_step);
 }
 
-// Whoever select_near may choose must be in the list: what a clump and the ribs have moved, and
-// what it looks ahead, is within the room that the clump had when the list was made.
-bool RibContacts::list_holds(const Clumps& clumps, const std::vector<Rib>& ribs,
-                             double time_step) const
+void RibContacts::select_near(const Clumps& clumps, const RibSet& ribs, double time_step)
 {
-  // Clumps or ribs may have come since the list was made.
-  if (!valid_ || clump_x_.size() != clumps.size() || rib_x_.size() != 2 * ribs.size()) return false;
-  double moved = 0, turned = 0, thickest = 0, fastest = 0;
-  for (std::size_t r = 0; r < ribs.size(); ++r) {
-    const double reach = section_reach(ribs[r]);
-    thickest = std::max(thickest, ribs[r].half_thickness);
-    fastest = std::max(fastest, rib_speed_[r]);
-    for (int end : {0, 1}) {
-      moved = std::max(moved, (ribs[r].x[end] - rib_x_[2 * r + end]).squaredNorm());
-      const Vector3 turn = ribs[r].width_axis[end] - rib_axis_[2 * r + end];
-      turned = std::max(turned, reach * reach * turn.squaredNorm());
-    }
-  }
-  const double ahead = near_steps * time_step;
-  const double by_ribs =
-      std::sqrt(moved) + 2 * std::sqrt(turned) + ahead * fastest + near_margin * thickest;
-  for (int i = 0; i < clumps.size(); ++i) {
-    const double left = room_[i] - by_ribs, reach = clumps.member_reach(i);
-    if (left < 0) return false;
-    const double way = (clumps.position[i] - clump_x_[i]).squaredNorm();
-    const double turn =
-        4 * reach * reach * (clump_q_[i].conjugate() * clumps.orientation[i]).vec().squaredNorm();
-    const double speed = ahead * ahead * clumps.velocity[i].squaredNorm();
-    const double spin = ahead * ahead * reach * reach * clumps.spin[i].squaredNorm();
-    // A sum of four is at most twice the root of the sum of their squares: most need no root.
-    if (4 * (way + turn + speed + spin) <= left * left) continue;
-    if (std::sqrt(way) + std::sqrt(turn) + std::sqrt(speed) + std::sqrt(spin) > left) return false;
-  }
-  return true;
-}
-
-void RibContacts::select_near(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step)
-{
+  measure_overlaps(clumps, ribs, pairs_);
   near_clumps_.clear();
   near_contacts_.clear();
-  rib_is_near_.assign(ribs.size(), 0);
+  spheres_on_lines_.clear();
   const int n = static_cast<int>(contacts_.size());
-  for (int first = 0, last = 0; first < n; first = last) {
-    const int i = contacts_[first].i;
-    const double speed = Vector3(clumps.velocity[i]).norm() +
-                         clumps.member_reach(i) * Vector3(clumps.spin[i]).norm();
-    bool near = false;
-    for (last = first; last < n && contacts_[last].i == i; ++last)
-      near = near || may_touch(contacts_[last], clumps, ribs, time_step, speed);
-    if (!near) continue;
-    near_clumps_.push_back(i);
-    near_contacts_.insert(near_contacts_.end(), {first, last});
-    for (int k = contacts_[first].first; k < contacts_[last - 1].last; ++k)
-      rib_is_near_[candidate_ribs_[k]] = 1;
+  int n_pairs = 0;
+  double speed = 0;
+  for (int g = 0, clump = -1; g < n; ++g) {
+    const RibContact& c = contacts_[g];
+    if (c.i != clump) {
+      clump = c.i;
+      speed = Vector3(clumps.velocity[clump]).norm() +
+              clumps.member_reach(clump) * Vector3(clumps.spin[clump]).norm();
+    }
+    if (!may_touch(c, speed, ribs, time_step)) continue;
+    if (near_clumps_.empty() || near_clumps_.back() != clump) near_clumps_.push_back(clump);
+    const int lane = static_cast<int>(near_contacts_.size());
+    if (lane > 0) {
+      const RibContact& before = contacts_[near_contacts_.back().contact];
+      if (before.i == c.i && before.a == c.a) {
+        if (spheres_on_lines_.empty() || spheres_on_lines_.back().end != lane)
+          spheres_on_lines_.push_back({lane - 1, lane});
+        spheres_on_lines_.back().end = lane + 1;
+      }
+    }
+    near_contacts_.push_back({g, n_pairs, n_pairs + c.last - c.first});
+    n_pairs = near_contacts_.back().last;
   }
-  near_ribs_.clear();
-  for (int r = 0; r < static_cast<int>(ribs.size()); ++r)
-    if (rib_is_near_[r]) near_ribs_.push_back(r);
+  fill_lanes(clumps, ribs);
 }
 
-// Whether one sphere may touch one of the ribs of a line within the step.
-bool RibContacts::may_touch(const RibContact& c, const Clumps& clumps, const std::vector<Rib>& ribs,
-                            double time_step, double speed) const
+// Whether one sphere may touch one of the ribs of a line within the step; for measured pairs.
+bool RibContacts::may_touch(const RibContact& c, double clump_speed, const RibSet& ribs,
+                            double time_step) const
 {
   if (c.overlap > 0 || c.shared > 0) return true;
-  const Vector3 centre = clumps.position[c.i] + clumps.member_offset(c.i, c.a);
-  const double radius = clumps.shape_of(c.i).spheres[c.a].radius;
   for (int k = c.first; k < c.last; ++k) {
-    const int r = candidate_ribs_[k];
-    const double reach =
-        near_steps * time_step * (speed + rib_speed_[r]) + near_margin * ribs[r].half_thickness;
-    if (clear_of(ribs[r], centre, radius + reach)) continue;
-    if (rib_proximity(ribs[r], centre, radius).overlap > -reach) return true;
+    const RibShape& shape = ribs.shape(static_cast<int>(pairs_.rod.rib[k]));
+    const double reach = near_steps * time_step * (clump_speed + largest_speed(ribs, shape)) +
+                         near_margin * shape.half_thickness;
+    if (pairs_.overlap[k] > -reach) return true;
   }
   return false;
 }
 
-// Clumps farther from the box around all ribs than any skin only need to be watched. The others get
-// a skin for some forty steps at the speed of the fastest of them.
-void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs, double time_step)
+void RibContacts::fill_lanes(const Clumps& clumps, const RibSet& ribs)
 {
-  clump_x_ = clumps.position;
-  clump_q_ = clumps.orientation;
-  rib_x_.clear();
-  rib_axis_.clear();
-  for (const Rib& rib : ribs) {
-    rib_x_.insert(rib_x_.end(), {rib.x[0], rib.x[1]});
-    rib_axis_.insert(rib_axis_.end(), {rib.width_axis[0], rib.width_axis[1]});
+  near_pairs_.resize(near_contacts_.empty() ? 0 : near_contacts_.back().last);
+  lanes_.resize(0); // entries beyond the last one are filler
+  lanes_.resize(static_cast<int>(near_contacts_.size()));
+  int place = -1, clump = -1;
+  for (int lane = 0; lane < lanes_.size(); ++lane) {
+    const NearContact& near = near_contacts_[lane];
+    const RibContact& c = contacts_[near.contact];
+    if (c.i != clump) clump = c.i, ++place;
+    const Sphere& sphere = clumps.shape_of(c.i).spheres[c.a];
+    lanes_.place[lane] = place;
+    lanes_.centre[lane] = sphere.centre;
+    lanes_.radius[lane] = sphere.radius;
+    lanes_.spring[lane] = c.history.spring;
+    lanes_.dashpot[lane] = c.history.dashpot;
+    lanes_.overlap[lane] = c.history.overlap;
+    lanes_.tangential_stiffness[lane] = c.tangential_stiffness;
+    lanes_.rod.set(lane, static_cast<int>(pairs_.rod.rib[c.first]), ribs);
+    for (int k = near.first; k < near.last; ++k)
+      near_pairs_.set(k, place, sphere, static_cast<int>(pairs_.rod.rib[c.first + k - near.first]),
+                      ribs);
   }
+}
+
+// Clumps farther from the box around all ribs than any skin only need to be watched. The others get
+// a skin for so many steps at the speed of the fastest of them.
+void RibContacts::build(const Clumps& clumps, const RibSet& ribs, double time_step)
+{
   old_contacts_.swap(contacts_);
   contacts_.clear();
-  candidate_ribs_.clear();
-  room_.clear();
+  candidates_.clear();
 
+  const std::vector<Rib> rods = ribs.all();
   RibSearch::Box around;
-  for (const Rib& rib : ribs) {
-    const Vector3 reach = Vector3::Constant(section_reach(rib));
-    for (const Vector3& x : rib.x) around.extend(x - reach), around.extend(x + reach);
-  }
   double fastest = 0;
-  for (const double speed : rib_speed_) fastest = std::max(fastest, speed);
+  for (const Rib& rod : rods) {
+    const Vector3 reach = Vector3::Constant(section_reach(rod));
+    for (const Vector3& x : rod.x) around.extend(x - reach), around.extend(x + reach);
+  }
+  for (int r = 0; r < ribs.size(); ++r)
+    fastest = std::max(fastest, largest_speed(ribs, ribs.shape(r)));
+  ScalarField room;
+  room.resize(clumps.size());
   for (int i = 0; i < clumps.size(); ++i) {
     const Vector3& x = clumps.position[i];
-    room_.push_back(around.exteriorDistance(x) - clumps.bounding_radius(i));
-    if (room_[i] < largest_skin)
+    room[i] = around.exteriorDistance(x) - clumps.bounding_radius(i);
+    if (room[i] < largest_skin)
       fastest = std::max(fastest, Vector3(clumps.velocity[i]).norm() +
                                       clumps.member_reach(i) * Vector3(clumps.spin[i]).norm());
   }
   skin_ = std::clamp(2 * fastest * time_step * list_steps, smallest_skin, largest_skin);
 
-  const RibSearch search(ribs, skin_);
+  const RibSearch search(rods, skin_);
   for (int i = 0; i < clumps.size(); ++i) {
-    if (room_[i] >= skin_) continue;
-    room_[i] = skin_;
-    add_candidates(i, clumps, ribs, search);
+    if (room[i] >= skin_) continue;
+    room[i] = skin_;
+    add_candidates(i, clumps, rods, search);
+  }
+  watch_.begin(clumps, ribs, std::move(room));
+  pairs_.resize(0); // entries beyond the last one are filler
+  pairs_.resize(static_cast<int>(candidates_.size()));
+  for (int k = 0; k < pairs_.size(); ++k) {
+    const PairOfList& pair = candidates_[k];
+    pairs_.set(k, pair.clump, clumps.shape_of(pair.clump).spheres[pair.sphere], pair.rib, ribs);
   }
 
   auto old = old_contacts_.begin();
@@ -185,7 +183,8 @@ void RibContacts::build(const Clumps& clumps, const std::vector<Rib>& ribs, doub
     if (old == old_contacts_.end()) break;
     if (key(*old) == key(c))
       c.history = old->history, c.force = old->force, c.rib = old->rib, c.xi = old->xi,
-      c.point = old->point, c.arm = old->arm, c.overlap = old->overlap, c.shared = old->shared;
+      c.point = old->point, c.arm = old->arm, c.overlap = old->overlap, c.shared = old->shared,
+      c.tangential_stiffness = old->tangential_stiffness;
   }
 }
 
@@ -213,11 +212,12 @@ void RibContacts::add_candidates(int i, const Clumps& clumps, const std::vector<
       if (contacts_.size() == before || key(contacts_.back()) != std::tie(i, a, ribs[r].line)) {
         RibContact contact;
         contact.i = i, contact.a = a, contact.line = ribs[r].line;
-        contact.first = contact.last = candidate_ribs_.size();
+        contact.radius = spheres[a].radius;
+        contact.first = contact.last = static_cast<int>(candidates_.size());
         contacts_.push_back(contact);
       }
-      candidate_ribs_.push_back(r);
-      contacts_.back().last = candidate_ribs_.size();
+      candidates_.push_back({i, a, r});
+      ++contacts_.back().last;
     }
   }
 }

@@ -14,7 +14,7 @@ std::vector<RibMemory> RibContacts::memory(const Clumps& clumps) const
                                c.history.spring.isZero(0) && c.history.dashpot.isZero(0);
     if (holds_nothing) continue;
     memory.push_back({clumps.id[c.i], c.a, c.line, c.history, c.force, c.point, c.arm, c.overlap,
-                      c.shared, c.rib, c.xi});
+                      c.shared, c.tangential_stiffness, c.rib, c.xi});
   }
   return memory;
 }
@@ -30,9 +30,11 @@ void RibContacts::restore(const Clumps& clumps, const std::vector<RibMemory>& me
       throw std::logic_error("A contact with a rib belongs to clump " + std::to_string(m.clump) +
                              ", which is not there.");
     c.a = m.a, c.line = m.line;
+    c.radius = clumps.shape_of(c.i).spheres[c.a].radius;
     c.history = m.history;
     c.force = m.force, c.point = m.point, c.arm = m.arm;
     c.overlap = m.overlap, c.shared = m.shared;
+    c.tangential_stiffness = m.tangential_stiffness;
     c.rib = m.rib, c.xi = m.xi;
     contacts_.push_back(c);
   }

@@ -14,46 +14,65 @@ double distance_to_core(const Rib& rib, const Vector3& p)
 }
 } // namespace
 
-const std::vector<RibWrench>& RibContacts::evaluate(const Clumps& clumps,
-                                                    const std::vector<Rib>& ribs, double time_step,
-                                                    VectorField& force, VectorField& torque,
-                                                    ContactEnergy& energy)
+const std::vector<RodLoads>& RibContacts::evaluate(SubcycledClumps& clumps, const RibSet& ribs,
+                                                   double time_step, ContactEnergy& energy)
 {
+  measure_overlaps(clumps, ribs, near_pairs_);
+  choose_rods(ribs);
+  for (const Range& lanes : spheres_on_lines_) merge_at_junctions(lanes, clumps, ribs, energy);
+  evaluate_rib_lanes(clumps, ribs, contact_, time_step, lanes_);
+
   energy.elastic = 0;
-  wrenches_.clear();
-  touching_.clear();
-  for (std::size_t n = 0; n < near_clumps_.size(); ++n)
-    evaluate_clump(near_contacts_[2 * n], near_contacts_[2 * n + 1], clumps, ribs, time_step, force,
-                   torque, energy);
-  return wrenches_;
+  loads_.clear();
+  for (int lane = 0; lane < lanes_.size(); ++lane) {
+    // What a contact that has just opened lost counts, too.
+    energy.elastic += lanes_.elastic[lane];
+    energy.friction += lanes_.friction[lane];
+    energy.damping += lanes_.damping[lane];
+    if (!(lanes_.depth[lane] > 0)) continue;
+    const int place = static_cast<int>(lanes_.place[lane]);
+    clumps.force[place] += lanes_.push[lane];
+    clumps.torque[place] += lanes_.torque[lane];
+    loads_.push_back({static_cast<int>(lanes_.rod.rib[lane]),
+                      {lanes_.rod_force1[lane], lanes_.rod_force2[lane]},
+                      {lanes_.rod_moment1[lane], lanes_.rod_moment2[lane]}});
+  }
+  store_lanes();
+  return loads_;
 }
 
-void RibContacts::evaluate_clump(int first, int last, const Clumps& clumps,
-                                 const std::vector<Rib>& ribs, double time_step, VectorField& force,
-                                 VectorField& torque, ContactEnergy& energy)
+// A contact is with the rod of its line that the sphere overlaps most.
+void RibContacts::choose_rods(const RibSet& ribs)
 {
-  for (int g = first; g < last; ++g) {
-    RibContact& c = contacts_[g];
-    const Vector3 centre = clumps.position[c.i] + clumps.member_offset(c.i, c.a);
-    const double radius = clumps.shape_of(c.i).spheres[c.a].radius;
-    Group group{&c, {}, -1};
-    for (int k = c.first; k < c.last; ++k) {
-      // Most candidates are clear of the rod; those that touched need their gap.
-      if (c.overlap <= 0 && clear_of(ribs[candidate_ribs_[k]], centre, radius)) continue;
-      const RibProximity p = rib_proximity(ribs[candidate_ribs_[k]], centre, radius);
-      if (group.rib < 0 || p.overlap > group.nearest.overlap)
-        group.nearest = p, group.rib = candidate_ribs_[k];
-    }
-    c.shared = group.rib < 0 ? 0 : std::clamp(group.nearest.overlap, 0., c.shared);
-    if (group.rib >= 0 && group.nearest.overlap > 0)
-      touching_.push_back(group);
-    else if (c.overlap > 0)
-      open(group, clumps, ribs, time_step, energy);
-    const bool last_of_sphere = g + 1 == last || contacts_[g + 1].a != c.a;
-    if (!last_of_sphere) continue;
-    if (touching_.size() > 1) merge_at_junctions(ribs, energy);
-    for (const Group& t : touching_) touch(t, clumps, ribs, time_step, force, torque, energy);
-    touching_.clear();
+  for (int lane = 0; lane < lanes_.size(); ++lane) {
+    const NearContact& near = near_contacts_[lane];
+    int best = near.first;
+    for (int k = near.first + 1; k < near.last; ++k)
+      if (near_pairs_.overlap[k] > near_pairs_.overlap[best]) best = k;
+    RibContact& c = contacts_[near.contact];
+    const double overlap = near_pairs_.overlap[best];
+    c.shared = std::clamp(overlap, 0., c.shared);
+    if (lanes_.rod.rib[lane] != near_pairs_.rod.rib[best])
+      lanes_.rod.set(lane, static_cast<int>(near_pairs_.rod.rib[best]), ribs);
+    lanes_.depth[lane] = overlap - c.shared;
+  }
+}
+
+// What the lanes hold goes back to the list.
+void RibContacts::store_lanes()
+{
+  for (int lane = 0; lane < lanes_.size(); ++lane) {
+    RibContact& c = contacts_[near_contacts_[lane].contact];
+    const bool touches = lanes_.depth[lane] > 0;
+    if (!touches && c.overlap <= 0 && c.shared <= 0) continue;
+    c.history = {lanes_.spring[lane], lanes_.overlap[lane], lanes_.dashpot[lane]};
+    c.force = lanes_.force[lane];
+    c.point = lanes_.point[lane];
+    c.arm = lanes_.arm[lane];
+    c.overlap = lanes_.overlap[lane];
+    c.tangential_stiffness = lanes_.tangential_stiffness[lane];
+    c.rib = static_cast<int>(lanes_.rod.rib[lane]);
+    c.xi = lanes_.xi[lane];
   }
 }
 
@@ -67,8 +86,7 @@ double RibContacts::elastic_energy() const
 double RibContacts::elastic_energy(const RibContact& c) const
 {
   if (c.overlap <= 0) return 0;
-  return 0.5 * contact_.normal_stiffness * c.overlap * c.overlap +
-         0.5 * contact_.tangential_stiffness * c.history.spring.squaredNorm();
+  return stored_energy(contact_, c.overlap, c.radius, c.history.spring.norm(), {});
 }
 
 double RibContacts::elastic_energy_of(const std::vector<bool>& clumps) const
@@ -82,88 +100,58 @@ double RibContacts::elastic_energy_of(const std::vector<bool>& clumps) const
 // Where two lines cross, their solids share the junction. A sphere on the shared part touches one
 // body, not two: the contact with less overlap is left to the other, with its history if that one
 // did not touch before, and starts again from zero where they part.
-void RibContacts::merge_at_junctions(const std::vector<Rib>& ribs, ContactEnergy& energy)
+void RibContacts::merge_at_junctions(Range lanes, const SubcycledClumps& clumps, const RibSet& ribs,
+                                     ContactEnergy& energy)
 {
-  for (std::size_t m = 0; m < touching_.size(); ++m)
-    for (std::size_t n = m + 1; n < touching_.size();) {
-      Group &a = touching_[m], &b = touching_[n];
-      const double solid = std::max(1e-6, std::min(ribs[a.rib].rounding, ribs[b.rib].rounding));
-      const bool shared = distance_to_core(ribs[b.rib], a.nearest.core) < solid ||
-                          distance_to_core(ribs[a.rib], b.nearest.core) < solid;
+  struct Touching {
+    int lane;
+    Rib rib;
+    RibProximity nearest;
+  };
+  std::vector<Touching> touching;
+  for (int lane = lanes.begin; lane < lanes.end; ++lane) {
+    if (lanes_.depth[lane] + contacts_[near_contacts_[lane].contact].shared <= 0) continue;
+    const int place = static_cast<int>(lanes_.place[lane]);
+    const Vector3 centre = clumps.position[place] +
+                           clumps.orientation[place]._transformVector(Vector3(lanes_.centre[lane]));
+    const Rib rib = ribs[static_cast<int>(lanes_.rod.rib[lane])];
+    touching.push_back({lane, rib, rib_proximity(rib, centre, lanes_.radius[lane])});
+  }
+  for (std::size_t m = 0; m < touching.size(); ++m)
+    for (std::size_t n = m + 1; n < touching.size();) {
+      Touching &a = touching[m], &b = touching[n];
+      const double solid = std::max(1e-6, std::min(a.rib.rounding, b.rib.rounding));
+      const bool shared = distance_to_core(b.rib, a.nearest.core) < solid ||
+                          distance_to_core(a.rib, b.nearest.core) < solid;
       if (!shared) {
         ++n;
         continue;
       }
       if (b.nearest.overlap > a.nearest.overlap) std::swap(a, b);
-      if (a.contact->overlap <= 0) {
-        a.contact->history = b.contact->history;
-        a.contact->shared = 0;
-      } else if (b.contact->overlap >
-                 0) // both touched before they became one: what b stored is lost
-        energy.damping += elastic_energy(*b.contact);
-      b.contact->shared = b.nearest.overlap;
-      b.contact->history = ContactHistory();
-      b.contact->force.setZero();
-      b.contact->overlap = 0;
-      touching_.erase(touching_.begin() + n);
+      leave_to(a.lane, b.lane, b.nearest.overlap, energy);
+      touching.erase(touching.begin() + n);
     }
 }
 
-Vector3 RibContacts::relative_velocity(const RibContact& c, const Clumps& clumps,
-                                       const Rib& rib) const
+// The contact of lane b, which overlaps by `overlap`, is left to that of lane a.
+void RibContacts::leave_to(int a, int b, double overlap, ContactEnergy& energy)
 {
-  const double n1 = 1 - c.xi, n2 = c.xi;
-  const Vector3 clump_arm = c.point - clumps.position[c.i];
-  return clumps.drift_velocity[c.i] + clumps.spin[c.i].cross(clump_arm) -
-         (n1 * rib.v[0] + n2 * rib.v[1] + rod_spin(rib, c.xi).cross(c.arm));
-}
-
-void RibContacts::open(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
-                       double time_step, ContactEnergy& energy)
-{
-  RibContact& c = *group.contact;
-  c.xi = group.nearest.xi;
-  const Vector3 relative = relative_velocity(c, clumps, ribs[group.rib]);
-  end_contact(contact_, -group.nearest.overlap, relative, time_step, c.history, energy);
-  c.force.setZero();
-  c.overlap = 0;
-}
-
-void RibContacts::touch(const Group& group, const Clumps& clumps, const std::vector<Rib>& ribs,
-                        double time_step, VectorField& force, VectorField& torque,
-                        ContactEnergy& energy)
-{
-  RibContact& c = *group.contact;
-  const Rib& rib = ribs[group.rib];
-  RibProximity p = group.nearest;
-  p.overlap -= c.shared;
-  const double n1 = 1 - p.xi, n2 = p.xi;
-
-  c.rib = group.rib;
-  c.xi = p.xi;
-  c.overlap = p.overlap;
-  c.point = p.core + (rib.rounding - 0.5 * p.overlap) * p.normal;
-  c.arm = c.point - p.centre;
-
-  // Dashpots act on the reduced mass: the rib is far lighter than the stone.
-  const double reduced_mass =
-      1 / (1 / clumps.mass[c.i] + n1 * n1 * rib.inverse_mass[0] + n2 * n2 * rib.inverse_mass[1]);
-  const Vector3 spin = 0.5 * (clumps.spin[c.i] + n1 * rib.w[0] + n2 * rib.w[1]);
-  rotate_spring(c.history.spring, p.normal, spin.dot(p.normal) * time_step);
-  c.force = linear_contact_force(contact_, reduced_mass, p.overlap, p.normal,
-                                 relative_velocity(c, clumps, rib), time_step, c.history, energy);
-  force[c.i] += c.force;
-  torque[c.i] += (c.point - clumps.position[c.i]).cross(c.force);
-  RibWrench wrench{group.rib, p.xi, -c.force, -c.arm.cross(c.force)};
-  if (!p.lean.isZero(0)) {
-    // Acts at the sphere's centre, on which the overlap depends.
-    const Vector3 lean = contact_.normal_stiffness * p.overlap * p.lean;
-    const Vector3 centre = p.core + p.distance * p.normal;
-    force[c.i] += lean;
-    torque[c.i] += (centre - clumps.position[c.i]).cross(lean);
-    wrench.force -= lean;
-    wrench.moment -= (centre - p.centre).cross(lean);
+  RibContact &kept = contacts_[near_contacts_[a].contact],
+             &left = contacts_[near_contacts_[b].contact];
+  if (kept.overlap <= 0) {
+    lanes_.spring[a] = lanes_.spring[b];
+    lanes_.dashpot[a] = lanes_.dashpot[b];
+    lanes_.overlap[a] = lanes_.overlap[b];
+    lanes_.tangential_stiffness[a] = lanes_.tangential_stiffness[b];
+    lanes_.depth[a] += kept.shared;
+    kept.shared = 0;
+  } else if (left.overlap > 0) { // both touched before they became one: what b stored is lost
+    energy.damping += elastic_energy(left);
   }
-  wrenches_.push_back(wrench);
+  left.shared = overlap;
+  lanes_.spring[b] = Vector3::Zero();
+  lanes_.dashpot[b] = Vector3::Zero();
+  lanes_.overlap[b] = lanes_.tangential_stiffness[b] = 0;
+  lanes_.depth[b] = 0;
 }
 } // namespace interlock::dem

@@ -31,13 +31,12 @@ struct RibWrench {
   Vector3 moment; // about the point of the centre line at xi, world [N m]
 };
 
-// Spin [rad/s] of the rod at xi as contacts see it: the rod turns with its chord, and about the
-// chord with the width axis, interpolated between the ends and made perpendicular to the chord.
-Vector3 rod_spin(const Rib& rib, double xi);
-
-// The wrench as loads on both ends of the rod, world frame: dual to the linear velocity of the
-// centre line and to rod_spin, so the power is the same, and forces and moments balance.
+// The wrench as loads on both ends of the rod, world frame: dual to the motion of the rod at xi, so
+// the power is the same, and forces and moments balance. The rod turns with its chord, and about
+// the chord with the width axis, interpolated between the ends and made perpendicular to the chord
+// (rod_lanes.h).
 struct RodLoads {
+  int rib = 0;
   Vector3 force[2];  // [N]
   Vector3 moment[2]; // about the ends [N m]
 };

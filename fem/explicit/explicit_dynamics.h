@@ -118,14 +118,14 @@ public:
   Eigen::Vector3d velocity_at(int e, double xi) const { return interpolate(velocity_, e, xi); }
   Eigen::Vector3d spin_at(int e, double xi) const { return interpolate(spin_, e, xi); }
 
-  // Frame of an element's cross-section midway between its nodes (e1, e2, e3 of LatticeElement,
-  // moved with the beam), to world.
-  Eigen::Quaterniond mid_frame(int e) const
-  {
-    const Eigen::Quaterniond a = quaternion_at(element_slot_[e]),
-                             b = quaternion_at(element_slot_[e] + 1);
-    return (Eigen::Quaterniond(a.coeffs() + b.coeffs()) * lattice_.element(e).frame).normalized();
-  }
+  // The same for all at once, one row a component (quaternions: w x y z), one entry a slot; an
+  // element goes from its first slot to the next one.
+  int n_slots() const { return n_slots_; }
+  int first_slot(int e) const { return element_slot_[e]; }
+  const Lanes3& slot_positions() const { return position_; }
+  const Lanes3& slot_velocities() const { return velocity_; }
+  const Lanes3& slot_spins() const { return spin_; }
+  const Lanes4& slot_orientations() const { return orientation_; }
 
   // --- Inertia, for the stable step of contacts --------------------------------------------------
   double mass(int node) const { return nodes_[node].mass; } // [kg]
@@ -146,6 +146,16 @@ public:
       load_force_[c][s + 1] += xi * force[c];
       load_torque_[c][s] += (1 - xi) * moment[c];
       load_torque_[c][s + 1] += xi * moment[c];
+    }
+  }
+
+  // The same at one end (0 or 1).
+  void add_end_load(int e, int end, const Eigen::Vector3d& force, const Eigen::Vector3d& moment)
+  {
+    const int s = element_slot_[e] + end;
+    for (int c = 0; c < 3; ++c) {
+      load_force_[c][s] += force[c];
+      load_torque_[c][s] += moment[c];
     }
   }
 

@@ -4,8 +4,11 @@
 #include "dem/ribs/rib_contacts.h"
 
 #include "dem/random_stream.h"
+#include "tests/rib_touch.h"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 using namespace interlock::dem;
 
@@ -48,7 +51,7 @@ std::vector<Rib> cross()
 }
 
 struct Outcome {
-  std::vector<RibWrench> wrenches;
+  std::vector<RodLoads> loads;
   Vector3 force = Vector3::Zero();
 };
 
@@ -57,15 +60,9 @@ Outcome press(const Vector3& centre, double radius)
   Clumps clumps({ball(radius)});
   clumps.add(0, 2650, centre, Quaternion::Identity());
   RibContacts contacts(elastic(1e6));
-  const std::vector<Rib> ribs = cross();
-  contacts.update_list(clumps, ribs, 1e-6);
-  VectorField force, torque;
-  force.resize(1), torque.resize(1);
   ContactEnergy energy;
-  Outcome result;
-  result.wrenches = contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy);
-  result.force = force[0];
-  return result;
+  const RibTouch touch = touch_ribs(contacts, clumps, cross(), 1e-6, energy);
+  return {touch.loads, touch.clumps.force[0]};
 }
 } // namespace
 
@@ -110,32 +107,48 @@ TEST(Ribs, OneContactWhereRodsOfALineMeet)
   const std::vector<Rib> ribs = {rib({0, 0, 0}, {0.01, 0, 0}, 0),
                                  rib({0.01, 0, 0}, {0.02, 0, 0}, 0)};
   RibContacts contacts(elastic(1e6));
-  contacts.update_list(clumps, ribs, 1e-6);
-  VectorField force, torque;
-  force.resize(1), torque.resize(1);
   ContactEnergy energy;
-  EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
-  EXPECT_NEAR(force[0].z(), 1e6 * 0.25e-3, 1e-9);
+  const RibTouch touch = touch_ribs(contacts, clumps, ribs, 1e-6, energy);
+  EXPECT_EQ(touch.loads.size(), 1u);
+  EXPECT_NEAR(touch.clumps.force[0].z(), 1e6 * 0.25e-3, 1e-9);
 }
 
 TEST(Ribs, OneContactOnAJunctionTwoInItsCorner)
 {
   // On top of the junction the two ribs are one body.
   const Outcome top = press({0.3e-3, -0.2e-3, 6e-3}, 5e-3);
-  EXPECT_EQ(top.wrenches.size(), 1u);
+  EXPECT_EQ(top.loads.size(), 1u);
   EXPECT_NEAR(top.force.z(), 1e6 * 0.25e-3, 1e-9);
   // In the corner between them it leans on both.
   const Outcome corner = press({7.4e-3, 7.4e-3, 0}, 5e-3);
-  EXPECT_EQ(corner.wrenches.size(), 2u);
+  EXPECT_EQ(corner.loads.size(), 2u);
   EXPECT_NEAR(corner.force.x(), 100, 1e-9);
   EXPECT_NEAR(corner.force.y(), 100, 1e-9);
 }
 
-TEST(Ribs, WrenchIsTheReactionOfTheForceOnTheStone)
+TEST(Ribs, LoadsAreTheReactionOfTheForceOnTheStone)
 {
   const Outcome o = press({6e-3, 2.2e-3, 5.5e-3}, 5e-3);
-  ASSERT_EQ(o.wrenches.size(), 1u);
-  EXPECT_LT((o.wrenches[0].force + o.force).norm(), 1e-12 * o.force.norm());
+  ASSERT_EQ(o.loads.size(), 1u);
+  EXPECT_LT((o.loads[0].force[0] + o.loads[0].force[1] + o.force).norm(), 1e-12 * o.force.norm());
+}
+
+// Fails when the law of a rib's material is not Hertz's, with the radius of the sphere.
+TEST(Ribs, ElasticRibsResistLikeHertz)
+{
+  const double radius = 5e-3, overlap = 0.1e-3;
+  const Elastic rock{std::numeric_limits<double>::infinity(), 0}, rib{2.4e9, 0.3};
+  Clumps clumps({ball(radius)});
+  clumps.add(0, 2650, {0.015, 0, 1.25e-3 + radius - overlap}, Quaternion::Identity());
+  RibContacts contacts(hertz_mindlin_pair(rock, rib, 0.5, 0));
+  ContactEnergy energy;
+  const RibTouch touch = touch_ribs(contacts, clumps, cross(), 1e-9, energy);
+  const double force = 4. / 3 * 2.4e9 / (1 - 0.3 * 0.3) * std::sqrt(radius * overlap) * overlap;
+  EXPECT_NEAR(touch.clumps.force[0].z(), force, 1e-9 * force);
+  EXPECT_NEAR(energy.elastic, 0.4 * force * overlap, 1e-9 * force * overlap);
+  EXPECT_NEAR(contacts.elastic_energy(), energy.elastic, 1e-9 * energy.elastic);
+  const TangentStiffness k = tangent_stiffness(contacts.properties(), overlap, radius);
+  EXPECT_NEAR(k.normal, 1.5 * force / overlap, 1e-9 * k.normal);
 }
 
 // A clump that comes after the list was made must be found at the next update, wherever it comes.
@@ -148,12 +161,9 @@ TEST(Ribs, ListSeesNewClumps)
   contacts.update_list(clumps, ribs, 1e-6);
   EXPECT_TRUE(contacts.near_clumps().empty());
   clumps.add(0, 2650, {0.015, 0, 6e-3}, Quaternion::Identity());
-  contacts.update_list(clumps, ribs, 1e-6);
-  ASSERT_EQ(contacts.near_clumps(), std::vector<int>{1});
-  VectorField force, torque;
-  force.resize(2), torque.resize(2);
   ContactEnergy energy;
-  EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
+  EXPECT_EQ(touch_ribs(contacts, clumps, ribs, 1e-6, energy).loads.size(), 1u);
+  EXPECT_EQ(contacts.near_clumps(), std::vector<int>{1});
 }
 
 // Ribs with sharp edges are one body at their junction too.
@@ -164,11 +174,8 @@ TEST(Ribs, SharpEdgesAreMergedToo)
   std::vector<Rib> ribs = cross();
   for (Rib& r : ribs) r.rounding = 0;
   RibContacts contacts(elastic(1e6));
-  contacts.update_list(clumps, ribs, 1e-6);
-  VectorField force, torque;
-  force.resize(1), torque.resize(1);
   ContactEnergy energy;
-  EXPECT_EQ(contacts.evaluate(clumps, ribs, 1e-6, force, torque, energy).size(), 1u);
+  EXPECT_EQ(touch_ribs(contacts, clumps, ribs, 1e-6, energy).loads.size(), 1u);
 }
 
 // Along a twisted rod the overlap changes although the distance from the axis does not. Fails when
@@ -213,15 +220,14 @@ TEST(Ribs, NoEnergyAppearsWhereTheLinesOfAJunctionPart)
     const Vector3 move = Vector3(a, a, height) - clumps.position[0];
     clumps.position[0] += move;
     clumps.velocity[0] = clumps.drift_velocity[0] = move / step;
-    contacts.update_list(clumps, ribs, step);
-    VectorField force, torque;
-    force.resize(1), torque.resize(1);
-    most = std::max(most, contacts.evaluate(clumps, ribs, step, force, torque, energy).size());
+    const RibTouch touch = touch_ribs(contacts, clumps, ribs, step, energy);
+    most = std::max(most, touch.loads.size());
+    const Vector3 force = touch.clumps.force[0];
     if (k == 0)
       stored = energy.elastic;
     else
-      work += 0.5 * (force[0] + last).dot(move); // on the ball
-    last = force[0];
+      work += 0.5 * (force + last).dot(move); // on the ball
+    last = force;
   }
   EXPECT_EQ(most, 2u);
   EXPECT_NEAR(work + energy.elastic - stored + energy.damping, 0, 1e-3 * stored);
@@ -230,36 +236,37 @@ TEST(Ribs, NoEnergyAppearsWhereTheLinesOfAJunctionPart)
 
 // A bent and twisted rod with a ball on its edge, its side, and beyond its end: the loads on ball
 // and rod ends against the energy in the contact, freedom by freedom. Spins turn the width axes.
-TEST(Ribs, LoadsAreTheGradientOfTheEnergy)
+class LoadsOfALaw : public testing::TestWithParam<ContactProperties>
+{
+};
+
+TEST_P(LoadsOfALaw, AreTheGradientOfTheEnergy)
 {
   Rib r = rib({0, 0, 0}, {8e-3, 1e-3, -0.5e-3}, 0);
   const Vector3 along = (r.x[1] - r.x[0]).normalized();
   for (int end : {0, 1})
     r.width_axis[end] = Eigen::AngleAxisd((end - 0.4) * 0.6, Vector3(0.5, 0.2, 0.8).normalized()) *
                         Eigen::AngleAxisd((end - 0.4) * 0.3, along) * r.width_axis[end];
-  const double k = 5.65e7, radius = 5e-3;
+  const double radius = 5e-3;
   const auto energy = [&](const Rib& rod, const Vector3& x) {
-    const double overlap = rib_proximity(rod, x, radius).overlap;
-    return 0.5 * k * overlap * overlap;
+    return stored_energy(GetParam(), rib_proximity(rod, x, radius).overlap, radius, 0, {});
   };
   for (const Vector3& x : {Vector3(4e-3, 2.4e-3, 5.9e-3), Vector3(3e-3, -7.0e-3, 0.3e-3),
                            Vector3(5e-3, 5.5e-3, -4e-3), Vector3(12.6e-3, 2e-3, 1e-3)}) {
     ASSERT_GT(rib_proximity(r, x, radius).overlap, 0) << x.transpose();
     Clumps clumps({ball(radius)});
     clumps.add(0, 2650, x, Quaternion::Identity());
-    RibContacts contacts(elastic(k));
-    contacts.update_list(clumps, {r}, 1e-6);
-    VectorField force, torque;
-    force.resize(1), torque.resize(1);
+    RibContacts contacts(GetParam());
     ContactEnergy stored;
-    const auto& wrenches = contacts.evaluate(clumps, {r}, 1e-6, force, torque, stored);
-    ASSERT_EQ(wrenches.size(), 1u);
-    const RodLoads loads = rod_loads(r, wrenches[0]);
-    EXPECT_LT(torque[0].norm(), 1e-12 * force[0].norm());
-    const double step = 1e-7, tolerance = 1e-4 * force[0].norm();
+    const RibTouch touch = touch_ribs(contacts, clumps, std::vector<Rib>{r}, 1e-6, stored);
+    ASSERT_EQ(touch.loads.size(), 1u);
+    const RodLoads& loads = touch.loads[0];
+    const Vector3 force = touch.clumps.force[0];
+    EXPECT_LT(touch.clumps.torque[0].norm(), 1e-12 * force.norm());
+    const double step = 1e-7, tolerance = 1e-4 * force.norm();
     for (int c = 0; c < 3; ++c) {
       const Vector3 by = step * Vector3::Unit(c);
-      EXPECT_NEAR(force[0][c], -(energy(r, x + by) - energy(r, x - by)) / (2 * step), tolerance);
+      EXPECT_NEAR(force[c], -(energy(r, x + by) - energy(r, x - by)) / (2 * step), tolerance);
       for (int end : {0, 1}) {
         Rib up = r, down = r;
         up.x[end] += by;
@@ -277,3 +284,10 @@ TEST(Ribs, LoadsAreTheGradientOfTheEnergy)
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Ribs, LoadsOfALaw,
+    testing::Values(elastic(5.65e7),
+                    hertz_mindlin_pair({std::numeric_limits<double>::infinity(), 0}, {2.4e9, 0.3},
+                                       0.5, 0)),
+    [](const auto& info) { return info.index == 0 ? "linear" : "hertz_mindlin"; });

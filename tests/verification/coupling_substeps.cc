@@ -3,6 +3,7 @@
 // bound leaves out a contact, a lever arm, the turning of sections or the dashpot, so that the
 // sub-step would be unstable, or when it asks for several times more sub-steps than are needed.
 #include "tests/cross_of_ribs.h"
+#include "tests/rib_touch.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -35,11 +36,8 @@ public:
     const double overlap = 1e-6;
     clumps_.add(0, density, core + (place.radius + edge_rounding - overlap) * normal,
                 dem::Quaternion::Identity());
-    contacts_.update_list(clumps_, geogrid_.ribs(), 1e-6);
-    dem::VectorField force, torque;
-    force.resize(1), torque.resize(1);
     dem::ContactEnergy energy;
-    contacts_.evaluate(clumps_, geogrid_.ribs(), 1e-9, force, torque, energy);
+    touch_ribs(contacts_, clumps_, geogrid_.ribs(), 1e-9, energy);
     for (int node = 0; node < geogrid_.lattice().n_nodes(); ++node)
       if (geogrid_.lattice().reference_position(node).norm() < half_length - 1e-9)
         free_nodes_.push_back(node);
@@ -171,7 +169,7 @@ private:
     for (const dem::RibContact& c : contacts_.contacts()) {
       if (c.overlap <= 0) continue;
       ++touching_;
-      const dem::Rib& rib = geogrid_.ribs()[c.rib];
+      const dem::Rib rib = geogrid_.ribs()[c.rib];
       const double reduced_mass =
           1 / (1 / clumps_.mass[0] + (1 - c.xi) * (1 - c.xi) * rib.inverse_mass[0] +
                c.xi * c.xi * rib.inverse_mass[1]);

@@ -36,7 +36,7 @@ coupling::RibTransfer twisted_rib(double twist)
   for (int node = 0; node <= 8; ++node)
     state.orientation[node] = Eigen::AngleAxisd(twist * (node - 4), Vector3::UnitX());
   geogrid.dynamics().set_state(state);
-  geogrid.refresh_all_ribs();
+  geogrid.refresh_ribs();
   return geogrid;
 }
 
