@@ -23,6 +23,24 @@ void World::attach_geogrid(std::unique_ptr<RibTransfer> geogrid)
   ribs.attach(*geogrid_);
 }
 
+void World::follow_stable_step()
+{
+  if (step_rule.share == 0) return;
+  clock.set_step(step_rule.step(engine.stable_step(&ribs.rib_contacts())));
+  ribs.forget_substeps();
+}
+
+bool World::keep_below_stable_step()
+{
+  if (step_rule.share == 0) return false;
+  const double step = step_rule.step(engine.stable_step(&ribs.rib_contacts()));
+  // Some room: a step that follows every contact would change at every look.
+  constexpr double room = 1.05;
+  if (clock.dt <= room * step) return false;
+  clock.set_step(step);
+  return true;
+}
+
 void World::move()
 {
   if (!held) ribs.move(clock.dt, clamp_velocity);

@@ -5,6 +5,7 @@
 #include "coupling/loop/rib_transfer.h"
 #include "coupling/loop/staggered_step.h"
 #include "coupling/loop/step_clock.h"
+#include "coupling/parameters/step_rule.h"
 #include "dem/engine/engine.h"
 
 #include <memory>
@@ -27,6 +28,7 @@ public:
   dem::Engine engine;
   StaggeredStep ribs; // contacts of stones with ribs, sub-steps, and what they did
   StepClock clock;
+  StepRule step_rule;
   dem::Vector3 clamp_velocity = dem::Vector3::Zero(); // of the geogrid's clamp, next step [m/s]
   double inserted = 0; // energy that no clump brought in when it was added, see ledger() [J]
   bool held = false;   // forces are computed, nothing moves
@@ -37,6 +39,12 @@ public:
   void attach_geogrid(std::unique_ptr<RibTransfer> geogrid);
   RibTransfer* geogrid() { return geogrid_.get(); } // null before it is placed
   const RibTransfer* geogrid() const { return geogrid_.get(); }
+
+  // For a stage that begins: the time step of step_rule for the present contacts, and as few
+  // sub-steps of the ribs as they need.
+  void follow_stable_step();
+  // Within a stage: lowers the time step where contacts have become stiffer. True if it did.
+  bool keep_below_stable_step();
 
   void compute_forces() { engine.compute_forces(clock.dt); }
   // Kicks, drifts, sub-steps of the ribs, walls, clock.
@@ -61,6 +69,7 @@ private:
 template <class Archive> void exchange(Archive& archive, World& world)
 {
   archive("clock", world.clock);
+  archive("step_rule", world.step_rule);
   archive("engine", world.engine);
   archive("inserted", world.inserted, "J");
   archive("clamp_velocity", world.clamp_velocity, "m/s");

@@ -1,6 +1,5 @@
 #include "coupling/parameters/time_step.h"
 
-#include "dem/engine/engine.h"
 #include "dem/input_error.h"
 
 #include <cstdio>
@@ -20,6 +19,11 @@ double choose_time_step(const TimeParameters& time, const dem::StableStep& stabl
   throw InputError(sentence);
 }
 
+StepRule step_rule(const TimeParameters& time, const dem::StableStep& stable)
+{
+  return {time.step > 0 ? 0 : time.safety_factor, stable.step};
+}
+
 void declare_time(ParameterTable& table, TimeParameters& time)
 {
   table.open_section("Time");
@@ -32,11 +36,12 @@ void declare_time(ParameterTable& table, TimeParameters& time)
 std::string time_step_budget(double step, const dem::StableStep& stable)
 {
   char sentence[320];
-  std::snprintf(sentence, sizeof sentence,
-                "time step %.3g us = %.3g x the stable step of %.3g us: shape %d of %.3g g with %d "
-                "contacts of %.3g N/m, of whose mobility rotation makes %.0f %%",
-                1e6 * step, step / stable.step, 1e6 * stable.step, stable.shape + 1,
-                1e3 * stable.mass, stable.contacts, stable.stiffness, 100 * stable.rotation_share);
+  std::snprintf(
+      sentence, sizeof sentence,
+      "time step %.3g us = %.3g x the expected stable step of %.3g us: shape %d of %.3g g with %d "
+      "contacts of %.3g N/m, of whose mobility rotation makes %.0f %%",
+      1e6 * step, step / stable.step, 1e6 * stable.step, stable.shape + 1, 1e3 * stable.mass,
+      stable.contacts, stable.stiffness, 100 * stable.rotation_share);
   return sentence;
 }
 } // namespace interlock::coupling

@@ -2,13 +2,9 @@
 #pragma once
 
 #include "coupling/parameters/parameter_table.h"
+#include "coupling/parameters/step_rule.h"
 
 #include <string>
-
-namespace interlock::dem
-{
-struct StableStep;
-}
 
 namespace interlock::coupling
 {
@@ -27,6 +23,9 @@ void declare_time(ParameterTable& table, TimeParameters& time);
 // What the step is made of, in one sentence for the log: the shape that sets it, counted from 1,
 // its contacts, the bound and the share of it that is used.
 std::string time_step_budget(double step, const dem::StableStep& stable);
+
+// Of a run whose step follows its contacts; that of a given step stays as it is.
+StepRule step_rule(const TimeParameters& time, const dem::StableStep& stable);
 
 // [s]. Throws InputError, one full sentence that names the shape (from 1) which sets the stable
 // step, when the given step is above it.

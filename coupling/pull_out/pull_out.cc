@@ -53,11 +53,17 @@ dem::ContactProperties stones_on_box(const ContactParameters& c)
   return properties;
 }
 
-dem::ContactProperties stones_on_ribs(const ContactParameters& c)
+dem::ContactProperties stones_on_ribs(const ContactParameters& c, const GeogridParameters& geogrid)
 {
-  return pair(c.stone_stiffness, c.geogrid_stiffness,
-              friction_of(c.stone_on_geogrid_friction, c.stone_friction, c.geogrid_friction),
-              c.tangential_ratio, c.geogrid_damping_ratio);
+  const double friction =
+      friction_of(c.stone_on_geogrid_friction, c.stone_friction, c.geogrid_friction);
+  if (c.geogrid_stiffness > 0)
+    return pair(c.stone_stiffness, c.geogrid_stiffness, friction, c.tangential_ratio,
+                c.geogrid_damping_ratio);
+  // Stone is some twenty times as stiff as polymer: the rib alone is indented.
+  const dem::Elastic rock{std::numeric_limits<double>::infinity(), 0};
+  return dem::hertz_mindlin_pair(rock, {geogrid.youngs_modulus, geogrid.poisson_ratio}, friction,
+                                 c.geogrid_damping_ratio);
 }
 
 // Stones are poured in any attitude, their bounding balls clear of the walls.
@@ -77,7 +83,7 @@ void check_stones_fit(const std::vector<Stone>& stones, const BoxParameters& box
 PullOut::PullOut(const PullOutParameters& parameters)
     : parameters_(parameters), stone_on_stone_(stones_on_stones(parameters.contact)),
       stone_on_box_(stones_on_box(parameters.contact)),
-      stone_on_rib_(stones_on_ribs(parameters.contact)),
+      stone_on_rib_(stones_on_ribs(parameters.contact, parameters.geogrid)),
       world_({}, stone_on_stone_, stone_on_rib_, parameters.gravity)
 {
 }
@@ -104,9 +110,8 @@ void PullOut::prepare(const Monitor& monitor, const std::vector<CaseEntry>& entr
   mean_sphere_radius /= static_cast<double>(spheres);
   mean_size = std::cbrt(6 / M_PI * volume / n_shapes);
 
-  const dem::StableStep stable = world_.engine.expected_stable_step(
-      std::vector<double>(n_shapes, parameters_.stones.density), expected_contacts);
-  world_.clock.set_step(choose_time_step(parameters_.time, stable));
+  const dem::StableStep stable = expected_stable_step();
+  choose_step(stable);
   walls = build_box(world_.engine, parameters_.box, stone_on_box_);
   world_.engine.set_local_damping(parameters_.filling.local_damping);
   preparation_ = fmt::format("{} stones of {} spheres on average, {}, mean size {:.1f} mm; {}",
@@ -115,6 +120,20 @@ void PullOut::prepare(const Monitor& monitor, const std::vector<CaseEntry>& entr
   stone_warnings_ = quality_warnings(stones);
   preparation_time_ =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// For contacts that are not there yet, or not the ones of this run.
+void PullOut::choose_step(const dem::StableStep& stable)
+{
+  const double given = choose_time_step(parameters_.time, stable);
+  world_.step_rule = step_rule(parameters_.time, stable);
+  world_.clock.set_step(parameters_.time.step > 0 ? given : world_.step_rule.step({}));
+}
+
+dem::StableStep PullOut::expected_stable_step() const
+{
+  return world_.engine.expected_stable_step(
+      std::vector<double>(n_shapes, parameters_.stones.density), expected_contacts);
 }
 
 std::vector<PullOut::Stage> PullOut::plan() const

@@ -43,7 +43,7 @@ public:
   std::vector<Stage> plan() const;
   std::vector<std::string> history_columns() const;
   PhysicsLimits limits() const;
-  void begin(RunRecords& records) const; // logs the preparation
+  void begin(RunRecords& records) const;                          // logs the preparation
   const std::string& preparation() const { return preparation_; } // what was made, for the log
   const std::vector<std::string>& stone_warnings() const { return stone_warnings_; }
   void finish(std::vector<Stage>& plan, RunRecords& records) const;
@@ -82,11 +82,13 @@ private:
   void start_from(const std::filesystem::path& file, const std::vector<CaseEntry>& entries);
   std::vector<Stage> plan_from_state() const;
   void append_upper_half(std::vector<Stage>& plan) const;
+  dem::StableStep expected_stable_step() const; // of the stones, without a surcharge
+  void choose_step(const dem::StableStep& stable);
 
   PullOutParameters parameters_;
   dem::ContactProperties stone_on_stone_, stone_on_box_, stone_on_rib_;
   World world_;
-  std::string preparation_;         // what it made, for the log
+  std::string preparation_; // what it made, for the log
   std::vector<std::string> stone_warnings_;
   double preparation_time_ = 0;     // wall-clock [s]
   std::optional<StartState> start_; // empty: an empty box

@@ -32,8 +32,9 @@ void declare_contact(ParameterTable& table, ContactParameters& contact)
       "[N/m]");
   table.require("Box stiffness", contact.box_stiffness, positive,
                 "Normal contact stiffness of the walls and the plate. [N/m]");
-  table.require("Geogrid stiffness", contact.geogrid_stiffness, positive,
-                "Normal contact stiffness of a rib's surface. [N/m]");
+  table.require("Geogrid stiffness", contact.geogrid_stiffness, not_negative,
+                "Normal contact stiffness of a rib's surface; 0: Hertz's and Mindlin's, of the "
+                "ribs' material. [N/m]");
   table.require("Stone friction", contact.stone_friction, friction,
                 "Friction coefficient of the stones; a pair takes the smaller of its two. [-]");
   table.require("Box friction", contact.box_friction, friction,

@@ -85,6 +85,7 @@ void PullOut::start_from(const std::filesystem::path& file, const std::vector<Ca
   if (!results.empty()) start.results = nlohmann::ordered_json::parse(results);
   archive("state", *this);
   start_ = std::move(start);
+  world_.step_rule = step_rule(parameters_.time, expected_stable_step());
   preparation_ =
       fmt::format("{} stones at t = {:.4g} s from {}{}", world_.engine.clumps().size(),
                   world_.clock.time(), file.string(), start_->adapts ? ", with other entries" : "");
@@ -115,9 +116,7 @@ void PullOut::adapt()
   world_.ribs.stone_on_rib() = stone_on_rib_;
   for (dem::Wall& wall : engine.walls()) wall.contact = stone_on_box_;
   engine.set_local_damping(parameters_.filling.local_damping);
-  const std::vector<double> densities(n_shapes, parameters_.stones.density);
-  world_.clock.set_step(choose_time_step(
-      parameters_.time, engine.expected_stable_step(densities, expected_contacts)));
+  choose_step(expected_stable_step());
   if (start_ && start_->reloads) {
     const std::vector<dem::BodyKind>& kind = engine.clumps().kind;
     std::vector<bool> load(kind.size());

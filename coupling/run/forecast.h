@@ -24,8 +24,8 @@ struct Forecast {
   int frames = 0;
 
   std::int64_t steps(const StageForecast& stage) const; // of a stage
-  // Processor time of a stage [s]: a step costs 1.2 ns for each sphere, and with flexible ribs,
-  // whose contacts and beams are sub-cycled, 3.6 ns more and 70 us.
+  // Processor time of a stage [s]: a step costs 1.2 ns for each sphere, and 35 us for flexible
+  // ribs, whose contacts and beams are sub-cycled.
   double time(const StageForecast& stage) const;
   double memory() const; // [bytes]: the program and 2 kB a sphere
   double disk() const;   // [bytes]: frames, states

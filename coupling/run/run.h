@@ -25,6 +25,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <variant>
 
 namespace interlock::coupling
@@ -109,9 +110,11 @@ private:
   void advance()
   {
     Stage& stage = plan_[stage_];
-    if (!records_.in_stage())
+    if (!records_.in_stage()) {
+      follow_stable_step();
       records_.begin_stage(std::visit([](const auto& s) { return stage_name(s); }, stage),
                            world().clock);
+    }
     const StageStatus status =
         std::visit([&](auto& s) { return before_step(s, experiment_, records_); }, stage);
     if (status.finished) {
@@ -125,10 +128,26 @@ private:
 
     if (request_.monitor.stop_requested && request_.monitor.stop_requested()) stop();
     const std::int64_t step = world().clock.step;
-    if (step % steps_between_checks == 0) check_physics(world(), experiment_.limits());
+    if (step % steps_between_checks == 0) {
+      if (world().keep_below_stable_step())
+        records_.message(fmt::format("The contacts have become stiffer: time step {:.3g} us.",
+                                     1e6 * world().clock.dt));
+      check_physics(world(), experiment_.limits());
+    }
     if (step % steps_between_progress == 0)
       records_.progress(status.fraction, world().clock, stage_ + 1, plan_.size());
     if (checkpoints_.due()) checkpoints_.write(state());
+  }
+
+  // Stages begin with the step that their contacts allow.
+  void follow_stable_step()
+  {
+    const double before = world().clock.dt;
+    world().follow_stable_step();
+    const double now = world().clock.dt;
+    if (std::abs(now - before) > 0.01 * before)
+      records_.message(
+          fmt::format("Time step {:.3g} us, after {:.3g} us.", 1e6 * now, 1e6 * before));
   }
 
   void end_stage(const std::string& result)
