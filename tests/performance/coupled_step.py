@@ -3,7 +3,7 @@
 stiffness, flexible with Hertz contacts of the ribs' material, rigid; all from the same packed state.
 
     python3 tests/performance/coupled_step.py [--rounds 5] [--core 0] [--folder results/coupled_step]
-    python3 tests/performance/coupled_step.py --spheres 40,135,500,2000     cost against spheres a stone
+    python3 tests/performance/coupled_step.py --spheres 40,135,500     cost against spheres a stone
 
 Ratios are of neighbours in time, because the speed of a machine drifts. The packed state is made once a folder (one
 to two minutes, more with more spheres). INTERLOCK names another program than build/release/bin/interlock.
