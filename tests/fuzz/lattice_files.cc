@@ -10,7 +10,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   static const FuzzFolder folder;
-  // What each child would do for itself is done once, before they are made: four times as fast.
+  // Before there is a child: Gmsh takes a while to start.
   static const bool ready = [] {
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
