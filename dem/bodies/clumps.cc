@@ -1,6 +1,7 @@
 #include "dem/bodies/clumps.h"
 
 #include "dem/bodies/rigid_motion.h"
+#include "dem/bodies/wide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,25 @@ template <class T> void compact(std::vector<T>& values, const std::vector<bool>&
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!remove[i]) values[kept++] = values[i];
   values.resize(kept);
+}
+
+LaneVector<Wide> load(const VectorField& field, int i)
+{
+  return {Wide::load(field.row(0) + i), Wide::load(field.row(1) + i), Wide::load(field.row(2) + i)};
+}
+void store(VectorField& field, int i, LaneVector<Wide> a)
+{
+  a.x.store(field.row(0) + i), a.y.store(field.row(1) + i), a.z.store(field.row(2) + i);
+}
+LaneQuaternionOf<Wide> load(const QuaternionField& field, int i)
+{
+  return {Wide::load(field.row(0) + i), Wide::load(field.row(1) + i), Wide::load(field.row(2) + i),
+          Wide::load(field.row(3) + i)};
+}
+void store(QuaternionField& field, int i, LaneQuaternionOf<Wide> q)
+{
+  q.x.store(field.row(0) + i), q.y.store(field.row(1) + i), q.z.store(field.row(2) + i);
+  q.w.store(field.row(3) + i);
 }
 
 LaneQuaternion lane(const Quaternion& q)
@@ -146,40 +166,21 @@ Vector3 Clumps::spin_of(int i, const Vector3& momentum) const
 
 void Clumps::drift_all(double dt, const ScalarField& held_clumps)
 {
-  const double* __restrict held = held_clumps.row(0);
-  const double *__restrict lx = angular_momentum.row(0), *__restrict ly = angular_momentum.row(1),
-                           *__restrict lz = angular_momentum.row(2);
-  const double *__restrict ix = inverse_inertia.row(0), *__restrict iy = inverse_inertia.row(1),
-                           *__restrict iz = inverse_inertia.row(2);
-  double *__restrict qx = orientation.row(0), *__restrict qy = orientation.row(1),
-                     *__restrict qz = orientation.row(2), *__restrict qw = orientation.row(3);
-  double* __restrict wx = spin.row(0), * __restrict wy = spin.row(1), * __restrict wz = spin.row(2);
-  double *__restrict sx = step_spin.row(0), *__restrict sy = step_spin.row(1),
-                     *__restrict sz = step_spin.row(2);
-  const int n = position.padded_size();
-#pragma GCC ivdep
-  for (int i = 0; i < n; ++i) {
-    const AttitudeStep step = advance_attitude({qx[i], qy[i], qz[i], qw[i]}, {lx[i], ly[i], lz[i]},
-                                               {ix[i], iy[i], iz[i]}, dt);
-    const bool moves = held[i] == 0;
-    qx[i] = moves ? step.attitude.x : qx[i];
-    qy[i] = moves ? step.attitude.y : qy[i];
-    qz[i] = moves ? step.attitude.z : qz[i];
-    qw[i] = moves ? step.attitude.w : qw[i];
-    wx[i] = sx[i] = moves ? step.spin.x : wx[i];
-    wy[i] = sy[i] = moves ? step.spin.y : wy[i];
-    wz[i] = sz[i] = moves ? step.spin.z : wz[i];
-  }
-  for (int component = 0; component < 3; ++component) {
-    const double* __restrict v = velocity.row(component);
-    double* __restrict x = position.row(component);
-    double* __restrict drift = drift_velocity.row(component);
-    double* __restrict mean = step_velocity.row(component);
-#pragma GCC ivdep
-    for (int i = 0; i < n; ++i) {
-      x[i] += held[i] == 0 ? dt * v[i] : 0;
-      drift[i] = mean[i] = held[i] == 0 ? v[i] : drift[i];
-    }
+  for (int i = 0; i < position.padded_size(); i += lane_width) {
+    const auto held = Wide::load(held_clumps.row(0) + i) > 0;
+    const LaneQuaternionOf<Wide> q = load(orientation, i);
+    const AttitudeStep<Wide> step =
+        advance_attitude(q, load(angular_momentum, i), load(inverse_inertia, i), dt);
+    store(orientation, i, select(held, q, step.attitude));
+    const LaneVector<Wide> w = select(held, load(spin, i), step.spin);
+    store(spin, i, w);
+    store(step_spin, i, w);
+
+    const LaneVector<Wide> x = load(position, i), now = load(velocity, i);
+    const LaneVector<Wide> v = select(held, load(drift_velocity, i), now);
+    store(position, i, select(held, x, x + dt * now));
+    store(drift_velocity, i, v);
+    store(step_velocity, i, v);
   }
 }
 

@@ -9,8 +9,9 @@
 namespace interlock::dem
 {
 // Loops over rows may run to padded_size(): whole registers, without a rest that the compiler might
-// round differently from the body of the loop.
-constexpr int lane_width = 8;
+// round differently from the body of the loop. Two of the widest registers, side by side: while one
+// waits for its operands the other one works.
+constexpr int lane_width = 16;
 
 inline int padded(int n)
 {

@@ -104,7 +104,7 @@ double SubcycledClumps::move(double h)
   const Rows3<double> spins(spin), spin_sums(spin_sum_);
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i) {
-    const AttitudeStep step = advance_attitude(attitude.get(i), momentum.get(i), inertia.get(i), h);
+    const auto step = advance_attitude(attitude.get(i), momentum.get(i), inertia.get(i), h);
     work[i] += 0.5 * h * dot(moment.get(i), spins.get(i) + step.spin);
     attitude.set(i, step.attitude);
     spins.set(i, step.spin);

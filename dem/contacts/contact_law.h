@@ -1,5 +1,6 @@
-// Contact laws with Coulomb friction: pure functions of one contact, written for vector lanes
-// (contact_lanes.h) and used one by one for ribs and mesh walls.
+// Contact laws with Coulomb friction: pure functions of one contact, for any number type: bundles
+// of lanes for stones and walls (lanes/contact_forces.cc), plain numbers in vector lanes for ribs,
+// one by one for walls of triangles.
 //
 // Normal: spring and dashpot. Tangential: spring with history and dashpot, limited by the Coulomb
 // cone; the spring turns with the contact. Linear: springs of two bodies act in series (Ferellec
@@ -55,10 +56,11 @@ ContactProperties hertz_mindlin_pair(const Elastic& a, const Elastic& b, double 
 double damping_ratio_for_restitution(double restitution);
 
 // What one contact has of a contact that the same two bodies share (contact_shares.cc).
-struct ContactShare {
-  double depth = 0;    // overlap of the shared contact [m]
-  double gradient = 1; // of the depth by this contact's overlap: its part of the force [-]
+template <class Number> struct ShareOf {
+  Number depth = 0;    // overlap of the shared contact [m]
+  Number gradient = 1; // of the depth by this contact's overlap: its part of the force [-]
 };
+using ContactShare = ShareOf<double>;
 
 // Energy in the springs of one contact [J]: normal `overlap` > 0 [m], tangential `spring` [m].
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
@@ -86,18 +88,26 @@ struct ContactEnergy {
 };
 
 // What one contact is made of; constant while it is on a list.
-struct ContactConstants {
-  double reduced_mass = 0;   // scales the dashpots [kg]
-  double root_mass = 0;      // its square root
-  double reduced_radius = 0; // r1 r2/(r1 + r2), of Hertz's law; the sphere's own at a plane [m]
+template <class Number> struct ConstantsOf {
+  Number reduced_mass = 0;   // scales the dashpots [kg]
+  Number root_mass = 0;      // its square root
+  Number reduced_radius = 0; // r1 r2/(r1 + r2), of Hertz's law; the sphere's own at a plane [m]
 };
+using ContactConstants = ConstantsOf<double>;
 
 // What a contact remembers, world frame, of body 1 against body 2. Zero while the contact is open.
-struct LaneHistory {
-  Lane3 spring{0, 0, 0};           // tangential displacement since it formed, less what slipped [m]
-  Lane3 dashpot{0, 0, 0};          // dissipative part of the last force [N]
-  double overlap = 0;              // [m]
-  double tangential_stiffness = 0; // of the last step [N/m]
+template <class Number> struct HistoryOf {
+  // Tangential displacement since it formed, less what slipped [m].
+  LaneVector<Number> spring{0, 0, 0};
+  LaneVector<Number> dashpot{0, 0, 0}; // dissipative part of the last force [N]
+  Number overlap = 0;                  // [m]
+  Number tangential_stiffness = 0;     // of the last step [N/m]
+};
+using LaneHistory = HistoryOf<double>;
+
+// What a law makes of an overlap: elastic force [N], tangential stiffness [N/m], dashpots [N s/m].
+template <class Number> struct ResponseOf {
+  Number force, tangential_stiffness, normal_dashpot, tangential_dashpot;
 };
 
 // The law of a pair with everything that is the same for all its contacts worked out.
@@ -106,22 +116,20 @@ struct LinearLaw {
       : k_n(p.normal_stiffness), k_t(p.tangential_stiffness),
         root_n(2 * p.damping_ratio * std::sqrt(k_n)), root_t(2 * p.damping_ratio * std::sqrt(k_t)),
         rate_n(p.normal_damping_rate), rate_t(p.tangential_damping_rate), friction(p.friction),
-        lowest_force(p.tension ? -1e300 : 0)
+        lowest_force(p.tension ? -1e300 : 0), softness(k_t > 0 ? 1 / k_t : 0)
   {
   }
   double k_n, k_t, root_n, root_t, rate_n, rate_t, friction, lowest_force;
+  double softness; // of the tangential spring [m/N]
   // Stored energy = this times force times overlap.
   static constexpr double energy_factor = 0.5;
   static constexpr bool stiffness_changes = false;
 
-  // Elastic force, tangential stiffness, dashpot constants at this overlap.
-  INTERLOCK_LANE void at(double overlap, const ContactConstants& c, double& f_n, double& kt,
-                         double& c_n, double& c_t) const
+  template <class Number>
+  INTERLOCK_LANE ResponseOf<Number> at(Number overlap, const ConstantsOf<Number>& c) const
   {
-    f_n = k_n * overlap;
-    kt = k_t;
-    c_n = root_n * c.root_mass + rate_n * c.reduced_mass;
-    c_t = root_t * c.root_mass + rate_t * c.reduced_mass;
+    return {k_n * overlap, k_t, root_n * c.root_mass + rate_n * c.reduced_mass,
+            root_t * c.root_mass + rate_t * c.reduced_mass};
   }
 };
 
@@ -136,31 +144,32 @@ struct HertzMindlinLaw {
   static constexpr double energy_factor = 0.4;
   static constexpr bool stiffness_changes = true;
 
-  INTERLOCK_LANE void at(double overlap, const ContactConstants& c, double& f_n, double& kt,
-                         double& c_n, double& c_t) const
+  template <class Number>
+  INTERLOCK_LANE ResponseOf<Number> at(Number overlap, const ConstantsOf<Number>& c) const
   {
-    const double root = std::sqrt(c.reduced_radius * overlap); // radius of the contact's circle
-    f_n = 4. / 3 * modulus * root * overlap;
-    kt = 8 * shear * root;
+    const Number root = square_root(c.reduced_radius * overlap); // radius of the contact's circle
+    const Number k_t = 8 * shear * root;
     // 2 sqrt(5/6) beta sqrt(S m), S: tangent stiffness.
-    const double damping = 2 * 0.91287092917527686 * ratio * c.root_mass;
-    c_n = damping * std::sqrt(2 * modulus * root) + rate_n * c.reduced_mass;
-    c_t = damping * std::sqrt(kt) + rate_t * c.reduced_mass;
+    const Number damping = 2 * 0.91287092917527686 * ratio * c.root_mass;
+    return {4. / 3 * modulus * root * overlap, k_t,
+            damping * square_root(2 * modulus * root) + rate_n * c.reduced_mass,
+            damping * square_root(k_t) + rate_t * c.reduced_mass};
   }
 };
 
-struct LaneEnergy {
-  double elastic = 0, friction = 0, damping = 0;
+template <class Number> struct EnergyOf {
+  Number elastic = 0, friction = 0, damping = 0;
 };
+using LaneEnergy = EnergyOf<double>;
 
 // Force on body 1, world frame [N]; exact zero, and the history cleared, when `overlap` is not
 // positive. `normal` points from body 2 to body 1; `relative_velocity` is that of body 1 against
 // body 2 at the contact point, in the middle of the step that led here [m/s]; `overlap`: negative
-// is a gap [m]; `twist`: mean spin of the two bodies along the normal times the step [rad];
-// `share`: see ContactShare. Advances the history over `dt` [s]; adds to `energy`.
+// is a gap [m]; `turn`: mean spin of the two bodies times the step [rad]; `share`: see
+// ContactShare. Advances the history over `dt` [s]; adds to `energy`.
 //
-// The tangential spring first turns with the contact: out of its old plane into the plane normal to
-// `normal`, keeping its length, and about the normal by `twist`. Where the stiffness changes, a
+// The tangential spring first turns with the contact: by `turn`, then out of its plane into the one
+// normal to `normal`, keeping its length. Where the stiffness changes, a
 // growing one keeps the force and a falling one keeps the spring; either loses energy, none gains
 // (the incremental no-slip law unloaded as Thornton, Cummins and Cleary, Powder Technology 233
 // (2013) 30-46, demand).
@@ -170,85 +179,96 @@ struct LaneEnergy {
 // mean spring force times the slip, and neither has an error of first order in the step. A contact
 // that has opened fades its last dashpot force over the part of the step in which it still touched,
 // and what its spring still holds is lost to friction.
-template <bool shared, class Law>
-INTERLOCK_LANE Lane3 contact_force(const Law& law, const ContactConstants& c, double overlap,
-                                   Lane3 normal, Lane3 relative_velocity, double twist,
-                                   ContactShare share, double dt, LaneHistory& history,
-                                   LaneEnergy& energy)
+template <bool shared, class Law, class Number>
+INTERLOCK_LANE LaneVector<Number>
+contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
+              LaneVector<Number> normal, LaneVector<Number> relative_velocity,
+              LaneVector<Number> turn, ShareOf<Number> share, double dt, HistoryOf<Number>& history,
+              EnergyOf<Number>& energy)
 {
+  using Vector = LaneVector<Number>;
   constexpr bool stiffness_changes = shared || Law::stiffness_changes;
-  const bool touching = overlap > 0;
-  const double depth = touching ? overlap : 0;
-  double elastic_n, k_t, c_n, c_t;
-  law.at(shared && touching ? share.depth : depth, c, elastic_n, k_t, c_n, c_t);
+  const Number zero = 0;
+  const auto touching = overlap > zero;
+  const Number depth = larger(overlap, zero);
+  Number law_depth = depth;
+  if constexpr (shared) law_depth = select(touching, share.depth, depth);
+  const ResponseOf<Number> response = law.at(law_depth, c);
+  Number elastic_n = response.force, k_t = response.tangential_stiffness,
+         c_t = response.tangential_dashpot;
   if constexpr (shared) {
-    const double rest = share.gradient > 0 ? share.gradient : 0;
-    k_t *= rest;
-    c_t *= rest;
+    const Number rest = larger(share.gradient, zero);
+    k_t = rest * k_t;
+    c_t = rest * c_t;
   }
-  const double soft = k_t > 0 ? -1 / k_t : 0;
+  Number softness = 0; // of the spring [m/N]
+  if constexpr (stiffness_changes)
+    softness = select(k_t > zero, 1 / k_t, zero);
+  else
+    softness = law.softness;
   // All forces of an open contact vanish with these.
-  k_t = touching ? k_t : 0;
-  c_n = touching ? c_n : 0;
-  c_t = touching ? c_t : 0;
+  k_t = select(touching, k_t, zero);
+  c_t = select(touching, c_t, zero);
+  const Number c_n = select(touching, response.normal_dashpot, zero);
 
   // Turn the spring. One division serves its length and the time of opening; nothing here is so
   // small that the guards against 0/0 matter.
-  const double gap = touching ? 0 : -overlap;
-  const double old_square = dot(history.spring, history.spring);
-  Lane3 spring = history.spring - dot(normal, history.spring) * normal;
-  spring = spring + twist * cross(normal, spring);
-  const double d1 = dot(spring, spring) + 1e-60, d2 = history.overlap + gap + 1e-30;
-  const double inverse = 1 / (d1 * d2);
+  const Number gap = depth - overlap;
+  const Number old_square = dot(history.spring, history.spring);
+  Vector spring = history.spring + cross(turn, history.spring);
+  spring = spring - dot(normal, spring) * normal;
+  const Number d1 = dot(spring, spring) + 1e-60, d2 = history.overlap + gap + 1e-30;
+  const Number inverse = 1 / (d1 * d2);
   // sqrt(1 + x) of a small x; whoever turns a contact by a right angle in one step has other
   // worries.
-  double x = old_square * (d2 * inverse) - 1;
-  x = x < 1 ? x : 1;
-  const double stretch = 1 + x * (0.5 + x * (-0.125 + x * 0.0625));
+  const Number x = smaller(old_square * (d2 * inverse) - 1, 1);
+  const Number stretch = 1 + x * (0.5 + x * (-0.125 + x * 0.0625));
   spring = stretch * spring;
 
-  double before = 0, lost = 0;
+  Number lost;
   if constexpr (stiffness_changes) {
-    before = history.tangential_stiffness;
-    const double keep = before < k_t ? before / k_t : 1;
+    const Number before = history.tangential_stiffness;
+    const Number keep = select(k_t > before, before / k_t, Number(1));
     lost = 0.5 * old_square * (before - k_t * keep * keep);
     spring = keep * spring;
   } else {
-    lost = touching ? 0 : 0.5 * law.k_t * old_square;
+    lost = select(touching, zero, 0.5 * law.k_t * old_square);
   }
 
-  const double v_n = dot(relative_velocity, normal);
-  const double viscous_n = elastic_n - c_n * v_n;
-  double f_n = viscous_n > law.lowest_force ? viscous_n : law.lowest_force;
+  const Number v_n = dot(relative_velocity, normal);
+  Number f_n = larger(elastic_n - c_n * v_n, law.lowest_force);
   if constexpr (shared) {
-    elastic_n *= share.gradient;
-    f_n *= share.gradient;
+    elastic_n = share.gradient * elastic_n;
+    f_n = share.gradient * f_n;
   }
-  const Lane3 v_t = relative_velocity - v_n * normal;
-  const Lane3 trial = spring + dt * v_t;
-  const Lane3 wanted = -k_t * trial - c_t * v_t;
-  const double limit = law.friction * (f_n > 0 ? f_n : 0);
-  const double square = dot(wanted, wanted);
-  const bool slides = square > limit * limit;
+  const Vector v_t = relative_velocity - v_n * normal;
+  const Vector trial = spring + dt * v_t;
+  const Vector viscous = c_t * v_t;
+  const Vector resisted = k_t * trial + viscous; // the tangential force is against it
+  const Number limit = law.friction * larger(f_n, zero);
+  const Number square = dot(resisted, resisted);
+  const auto slides = square > limit * limit; // only where it touches
   // Sliding: the whole force is friction, and the spring is what holds it.
-  const double scale = slides ? limit / std::sqrt(square + 1e-200) : 1;
-  const Lane3 f_t = scale * wanted;
-  const double from_force = slides ? soft : 0, from_trial = touching && !slides ? 1 : 0;
-  const Lane3 held = from_force * f_t + from_trial * trial;
-  const double c_left = slides ? 0 : c_t;
-  const Lane3 dashpot = (elastic_n - f_n) * normal + c_left * v_t;
+  const Number scale = select(slides, limit / square_root(square + 1e-200), Number(1));
+  const Vector against = scale * resisted;
+  const Vector held =
+      select(slides, softness * against, select(touching, trial, Vector{zero, zero, zero}));
+  const Number away = elastic_n - f_n;
+  const Vector dashpot = away * normal + select(slides, Vector{zero, zero, zero}, viscous);
 
   // Over the share of the step in which the contact touched.
-  const double part = touching ? 1 : history.overlap * (d1 * inverse);
-  energy.damping += 0.5 * part * dt * dot(history.dashpot + dashpot, relative_velocity);
-  energy.friction += 0.5 * k_t * dot(spring + held, trial - held) + lost;
-  energy.elastic += Law::energy_factor * elastic_n * depth + 0.5 * k_t * dot(held, held);
+  const Number part = select(touching, Number(1), history.overlap * (d1 * inverse));
+  energy.damping =
+      energy.damping + 0.5 * dt * (part * dot(history.dashpot + dashpot, relative_velocity));
+  energy.friction = energy.friction + (0.5 * (k_t * dot(spring + held, trial - held)) + lost);
+  energy.elastic =
+      energy.elastic + (Law::energy_factor * (elastic_n * depth) + 0.5 * (k_t * dot(held, held)));
 
-  history.spring = {held.x, held.y, held.z};
-  history.dashpot = {dashpot.x, dashpot.y, dashpot.z};
+  history.spring = held;
+  history.dashpot = dashpot;
   history.overlap = depth;
-  history.tangential_stiffness = k_t;
-  return f_n * normal + f_t;
+  if constexpr (stiffness_changes) history.tangential_stiffness = k_t;
+  return f_n * normal - against;
 }
 
 // One contact at a time, for mesh walls: the same law with Eigen's vectors.
@@ -258,15 +278,14 @@ struct ContactHistory {
   Vector3 dashpot = Vector3::Zero(); // [N]
 };
 
-// Turns the tangential spring with the contact: out of its old plane into the plane normal to
-// `normal`, keeping its length, and about the normal by `twist` (mean spin of the two bodies along
-// the normal times the step) [rad].
-inline void rotate_spring(Vector3& spring, const Vector3& normal, double twist)
+// Turns the tangential spring with the contact: by `turn` (mean spin of the two bodies times the
+// step) [rad], then out of its plane into the one normal to `normal`, keeping its length.
+inline void rotate_spring(Vector3& spring, const Vector3& normal, const Vector3& turn)
 {
   const double old_length_squared = spring.squaredNorm();
   if (old_length_squared == 0) return;
+  spring += turn.cross(spring).eval();
   spring -= normal.dot(spring) * normal;
-  spring += twist * normal.cross(spring);
   const double length_squared = spring.squaredNorm();
   if (length_squared > 0) spring *= std::sqrt(old_length_squared / length_squared);
 }
@@ -281,9 +300,9 @@ INTERLOCK_LANE Vector3 linear_contact_force(const ContactProperties& pair, doubl
   LaneHistory h{lane(history.spring), lane(history.dashpot), history.overlap,
                 pair.tangential_stiffness};
   LaneEnergy e;
-  const Lane3 force =
-      contact_force<false>(LinearLaw(pair), {reduced_mass, std::sqrt(reduced_mass), 0}, overlap,
-                           lane(normal), lane(relative_velocity), 0, {}, time_step, h, e);
+  const Lane3 force = contact_force<false>(
+      LinearLaw(pair), {reduced_mass, std::sqrt(reduced_mass), 0}, overlap, lane(normal),
+      lane(relative_velocity), Lane3{0, 0, 0}, {}, time_step, h, e);
   history = {vector(h.spring), h.overlap, vector(h.dashpot)};
   energy.elastic += e.elastic;
   energy.friction += e.friction;

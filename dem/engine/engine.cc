@@ -60,7 +60,7 @@ std::vector<int> Engine::remove_clumps(const std::vector<bool>& remove)
   for (const RollingSpring& s : rolling_.springs())
     if (remove[s.key[1]] || (s.key[0] == 0 && remove[s.key[2]])) inserted_ -= energy_of(s);
   const std::vector<int> new_index = clumps_.remove(remove);
-  lists_.renumber_clumps(new_index);
+  lists_.renumber_clumps(clumps_, new_index);
   mesh_contacts_.renumber_clumps(new_index);
   rolling_.renumber_clumps(new_index);
   return new_index;
@@ -108,7 +108,7 @@ void Engine::remove_walls(const std::vector<WallId>& ids)
     kept.push_back(walls_[w]);
   }
   walls_ = std::move(kept);
-  lists_.renumber_walls(new_index);
+  lists_.renumber_walls(clumps_, new_index);
   rolling_.renumber_walls(1, new_index);
   const auto is_gone = [&](const ControlledWall& c) {
     return std::find(ids.begin(), ids.end(), c.wall) != ids.end();
@@ -119,24 +119,20 @@ void Engine::remove_walls(const std::vector<WallId>& ids)
 void Engine::compute_forces(double dt)
 {
   const auto start = Clock::now();
-  lists_.update(clumps_, walls_, dt);
+  if (lists_.update(clumps_, walls_, dt, gravity_)) sums_.clear(clumps_.size());
   const auto listed = Clock::now();
-  wrenches_.clear(clumps_.size());
-  contact_energy_.elastic = 0;
-  ContactLanes& pairs = lists_.pair_lanes();
-  evaluate_pairs(clumps_, stone_on_stone_, dt, pairs);
-  n_touching_ = add_pair_forces(pairs, wrenches_, contact_energy_);
-  ContactLanes& at_walls = lists_.wall_lanes();
+  records_.take(clumps_);
+  evaluate_pairs(records_, stone_on_stone_, dt, lists_.pair_lanes(), sums_);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall& wall = walls_[w];
-    const WallSegment segment = lists_.wall_segments()[w];
     const Vector3 before = wall.force;
-    evaluate_wall(clumps_, wall, dt, segment, at_walls);
-    add_wall_forces(at_walls, segment, wrenches_, wall, contact_energy_);
+    evaluate_wall(records_, dt, lists_.wall_segments()[w], lists_.wall_lanes(), sums_, wall,
+                  contact_energy_);
     // A leapfrog kick does the work of the mean of the forces at both ends of a step.
     wall_work_ -= 0.5 * dt * (before + wall.force).dot(wall.velocity);
   }
-  wrenches_.write(clumps_.force, clumps_.torque);
+  sums_.write(clumps_, contact_energy_.friction, contact_energy_.damping);
+  contact_energy_.elastic = 0; // of walls of triangles and of rolling; see energy()
   if (!mesh_walls_.empty()) {
     mesh_contacts_.update_list(clumps_, mesh_walls_);
     mesh_contacts_.evaluate(clumps_, mesh_walls_, dt, contact_energy_);
@@ -270,11 +266,25 @@ EngineEnergy Engine::energy(double dt) const
     e.gravitational += clumps_.mass[i] * gravity_ * clumps_.position[i].z();
   }
   e.contact = contact_energy_;
+  e.contact.elastic += elastic_energy_of_lanes();
   e.local_damping = local_damping_loss_;
   e.wall_work = wall_work_;
   for (const MeshWall& wall : mesh_walls_) e.wall_work += wall.work();
   e.inserted = inserted_;
   return e;
+}
+
+double Engine::elastic_energy_of_lanes() const
+{
+  double sum = 0;
+  const ContactLanes &pairs = lists_.pair_lanes(), &at_walls = lists_.wall_lanes();
+  for (int k = 0; k < pairs.size(); ++k) sum += pairs.stored_energy(k, stone_on_stone_);
+  for (std::size_t w = 0; w < lists_.wall_segments().size() && w < walls_.size(); ++w) {
+    const WallSegment segment = lists_.wall_segments()[w];
+    for (int k = segment.begin; k < segment.end; ++k)
+      sum += at_walls.stored_energy(k, walls_[w].contact);
+  }
+  return sum;
 }
 
 double Engine::kinetic_energy() const

@@ -140,7 +140,7 @@ public:
   std::vector<WallContact> wall_contacts() const;
   // Counts, and the largest overlap of stones with stones and walls [m], of the last
   // compute_forces.
-  int n_touching_spheres() const { return n_touching_; }
+  int n_touching_spheres() const { return count_touching(lists_.pair_lanes()); }
   double largest_overlap() const;
 
   // Brute force over all pairs of member spheres: number of overlapping pairs (for tests).
@@ -177,7 +177,6 @@ public:
     archive("local_damping_loss", engine.local_damping_loss_, "J");
     archive("wall_work", engine.wall_work_, "J");
     archive("inserted", engine.inserted_, "J");
-    archive("touching_spheres", engine.n_touching_);
     ContactMemory contacts;
     if (!Archive::reading) contacts = engine.memory();
     archive("contacts", contacts);
@@ -208,6 +207,7 @@ private:
   double elastic_energy(const SphereContact& contact) const;
   double elastic_energy(const WallContact& contact) const;
   double body_energy(int clump) const;
+  double elastic_energy_of_lanes() const; // as the last compute_forces left them [J]
   void resist_rolling(double dt);
 
   Clumps clumps_;
@@ -216,7 +216,8 @@ private:
   std::vector<ControlledWall> controls_;
   std::vector<MeshWall> mesh_walls_;
   NeighbourLists lists_;
-  WrenchSums wrenches_;
+  BodyRecords records_;
+  BodySums sums_;
   MeshContacts mesh_contacts_;
   RollingProperties rolling_properties_;
   RollingResistance rolling_;
@@ -225,7 +226,6 @@ private:
   ContactEnergy contact_energy_;
   LocalDamping local_damping_;
   double local_damping_loss_ = 0, wall_work_ = 0, inserted_ = 0;
-  int n_touching_ = 0;
   ScalarField nothing_held_;
   StepProfile profile_;
   double broad_phase_before_ = 0;

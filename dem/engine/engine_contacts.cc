@@ -37,15 +37,15 @@ double largest_mobility(const Vector3& arm, double mass, const Vector3& inertia)
   return 1 / mass + solver.eigenvalues()[2];
 }
 
-ContactHistory history_of(const ContactLanes& lanes, int k)
+// What the last evaluation left in lane k, into a view of it.
+template <class Contact> void take_lane(const ContactLanes& lanes, int k, Contact& contact)
 {
-  return {lanes.spring[k], lanes.overlap[k], lanes.dashpot[k]};
-}
-
-ContactShare share_of(const ContactLanes& lanes, int k)
-{
-  if (lanes.overlap[k] <= 0 || lanes.shared_depth[k] <= 0) return {};
-  return {lanes.shared_depth[k], lanes.gradient[k]};
+  const LaneMemory memory = lanes.memory(k);
+  contact.overlap = memory.overlap;
+  contact.touching = memory.overlap > 0;
+  contact.force = memory.force;
+  contact.history = {memory.spring, memory.overlap, memory.dashpot};
+  contact.share = lanes.share(k);
 }
 } // namespace
 
@@ -55,12 +55,9 @@ std::vector<SphereContact> Engine::sphere_contacts() const
   std::vector<SphereContact> contacts(lanes.size());
   for (int k = 0; k < lanes.size(); ++k) {
     SphereContact& c = contacts[k];
-    c.i = lanes.i[k], c.j = lanes.j[k], c.a = lanes.a[k], c.b = lanes.b[k];
-    c.overlap = lanes.overlap[k];
-    c.touching = c.overlap > 0;
-    c.force = lanes.force[k];
-    c.history = history_of(lanes, k);
-    c.share = share_of(lanes, k);
+    const ContactKey& key = lanes.key(k);
+    c.i = key.i, c.j = key.j, c.a = key.a, c.b = key.b;
+    take_lane(lanes, k, c);
     const double rb = clumps_.shape_of(c.j).spheres[c.b].radius;
     const Vector3 xb = clumps_.position[c.j] + clumps_.member_offset(c.j, c.b);
     const Overlap o = overlap_of(clumps_.position[c.i] + clumps_.member_offset(c.i, c.a) - xb,
@@ -79,12 +76,8 @@ std::vector<WallContact> Engine::wall_contacts() const
     const WallSegment segment = lists_.wall_segments()[w];
     for (int k = segment.begin; k < segment.end; ++k) {
       WallContact c;
-      c.i = lanes.i[k], c.wall = static_cast<int>(w), c.a = lanes.a[k];
-      c.overlap = lanes.overlap[k];
-      c.touching = c.overlap > 0;
-      c.force = lanes.force[k];
-      c.history = history_of(lanes, k);
-      c.share = share_of(lanes, k);
+      c.i = lanes.key(k).i, c.wall = static_cast<int>(w), c.a = lanes.key(k).a;
+      take_lane(lanes, k, c);
       const Vector3 x = clumps_.position[c.i] + clumps_.member_offset(c.i, c.a);
       const Vector3 nearest = walls_[w].nearest_point(x);
       const Overlap o = overlap_of(x - nearest, clumps_.shape_of(c.i).spheres[c.a].radius);

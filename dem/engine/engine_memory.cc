@@ -31,15 +31,15 @@ ContactMemory Engine::memory() const
   const ContactLanes& pairs = lists_.pair_lanes();
   for (int k = 0; k < pairs.size(); ++k)
     if (pairs.holds_something(k))
-      memory.pairs.push_back({clumps_.id[pairs.i[k]], clumps_.id[pairs.j[k]], pairs.a[k],
-                              pairs.b[k], pairs.memory(k)});
+      memory.pairs.push_back({clumps_.id[pairs.key(k).i], clumps_.id[pairs.key(k).j],
+                              pairs.key(k).a, pairs.key(k).b, pairs.memory(k)});
   const ContactLanes& at_walls = lists_.wall_lanes();
   for (std::size_t w = 0; w < lists_.wall_segments().size() && w < walls_.size(); ++w) {
     const WallSegment segment = lists_.wall_segments()[w];
     for (int k = segment.begin; k < segment.end; ++k)
       if (at_walls.holds_something(k))
         memory.walls.push_back(
-            {clumps_.id[at_walls.i[k]], walls_[w].id, at_walls.a[k], at_walls.memory(k)});
+            {clumps_.id[at_walls.key(k).i], walls_[w].id, at_walls.key(k).a, at_walls.memory(k)});
   }
   for (const MeshContact& c : mesh_contacts_.contacts())
     memory.meshes.push_back({clumps_.id[c.i], c.wall, c.a, c.number, c.history, c.force, c.point,

@@ -75,7 +75,7 @@ Vector3 RollingResistance::moment(const RollingContact& c, const Clumps& clumps,
   Vector3 rolling = spin - other_spin;
   rolling -= rolling.dot(c.normal) * c.normal; // twisting is free
 
-  rotate_spring(spring.angle, c.normal, 0.5 * time_step * (spin + other_spin).dot(c.normal));
+  rotate_spring(spring.angle, c.normal, 0.5 * time_step * (spin + other_spin));
   const Vector3 before = spring.angle, trial = before + time_step * rolling;
   const double size = stiffness * trial.norm();
   Vector3 dashpot = Vector3::Zero();

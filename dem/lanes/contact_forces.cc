@@ -1,206 +1,143 @@
-// The hot loop: the contact law over all lanes, and the sums over clumps.
+// The hot loop: the contact law over all lanes, and the sums over clumps. It goes in stages over a
+// few blocks of lanes at a time, which pass through the nearest cache: where the spheres are, in
+// quads of lanes out of the records of the clumps; the law, in bundles of registers; the sums, lane
+// by lane. Each stage has a rhythm of its own, so together they would get in each other's way
+// (docs/performance.md).
+//
+// Contact points and moments are about the world's origin, so that both clumps share them; the
+// torque about a clump's centre of mass is made once a clump (body_records.h).
+//
+// The fourth number of the quads that are summed is energy: what a contact loses in this step to
+// friction goes with its force and what it loses to damping with its moment.
+#include "dem/bodies/wide.h"
 #include "dem/lanes/contact_lanes.h"
-
-#include "dem/bodies/field_rows.h"
+#include "dem/lanes/lane_geometry.h"
 
 namespace interlock::dem
 {
 namespace
 {
-// Rows of the state that contacts read.
-struct BodyRows {
-  explicit BodyRows(const Clumps& c)
-      : positions(c.position), attitudes(c.orientation), velocities(c.step_velocity),
-        spins(c.step_spin)
-  {
-  }
-  Rows3<const double> positions;
-  QuaternionRows<const double> attitudes;
-  Rows3<const double> velocities, spins;
+using Row = LaneBlock::Row;
 
-  INTERLOCK_LANE Lane3 position(std::int64_t i) const { return positions.get(i); }
-  INTERLOCK_LANE LaneQuaternion attitude(std::int64_t i) const { return attitudes.get(i); }
-  INTERLOCK_LANE Lane3 velocity(std::int64_t i) const { return velocities.get(i); }
-  INTERLOCK_LANE Lane3 spin(std::int64_t i) const { return spins.get(i); }
+// What the law adds to the sums besides the force.
+struct alignas(64) LaneMoments {
+  Row moment[3];         // of the force, about the origin [N m]
+  Row friction, damping; // lost in this step [J]
 };
 
-// Rows of the lanes.
-struct LaneRows {
-  explicit LaneRows(ContactLanes& l)
-      : i(l.i.data()), j(l.j.data()), centre1(l.centre1), centre2(l.centre2),
-        radius1(l.radius1.row(0)), radius2(l.radius2.row(0)), mass(l.reduced_mass.row(0)),
-        root_mass(l.root_mass.row(0)), radius(l.reduced_radius.row(0)),
-        shared_depth(l.shared_depth.row(0)), gradient(l.gradient.row(0)), spring(l.spring),
-        dashpot(l.dashpot), overlap(l.overlap.row(0)), stiffness(l.tangential_stiffness.row(0)),
-        force(l.force), torque1(l.torque1), torque2(l.torque2), elastic(l.elastic.row(0)),
-        friction(l.friction.row(0)), damping(l.damping.row(0))
-  {
-  }
-  const std::int64_t* __restrict i, * __restrict j;
-  Rows3<const double> centre1, centre2;
-  const double* __restrict radius1, * __restrict radius2;
-  const double* __restrict mass, * __restrict root_mass, * __restrict radius;
-  const double* __restrict shared_depth, * __restrict gradient;
-  Rows3<double> spring, dashpot;
-  double* __restrict overlap, * __restrict stiffness;
-  Rows3<double> force, torque1, torque2;
-  double* __restrict elastic, * __restrict friction, * __restrict damping;
+constexpr int blocks_at_a_time = 4;
 
-  INTERLOCK_LANE ContactConstants constants(std::int64_t k) const
-  {
-    return {mass[k], root_mass[k], radius[k]};
-  }
-  template <bool shared> INTERLOCK_LANE ContactShare share(std::int64_t k) const
-  {
-    if constexpr (shared)
-      return {shared_depth[k], gradient[k]};
-    else
-      return {};
-  }
-  INTERLOCK_LANE LaneHistory history(std::int64_t k) const
-  {
-    return {spring.get(k), dashpot.get(k), overlap[k], stiffness[k]};
-  }
-  INTERLOCK_LANE void keep(std::int64_t k, const LaneHistory& h) const
-  {
-    spring.set(k, h.spring);
-    dashpot.set(k, h.dashpot);
-    overlap[k] = h.overlap;
-    stiffness[k] = h.tangential_stiffness;
-  }
-  INTERLOCK_LANE void energy(std::int64_t k, const LaneEnergy& e) const
-  {
-    elastic[k] = e.elastic;
-    friction[k] = e.friction;
-    damping[k] = e.damping;
-  }
-};
-
-// Of a sphere against another one, world frame: returns the overlap, negative for a gap [m]; sets
-// `normal`, from the second body to the first, and `arm`, from the centre of mass of clump i to the
-// contact point in the middle of the overlap [m]. Plain numbers, since the compiler does not take
-// returned structures apart.
-INTERLOCK_LANE double pair_geometry(const BodyRows& bodies, const LaneRows& rows, std::int64_t k,
-                                    Lane3& normal, Lane3& arm)
+INTERLOCK_LANE LaneVector<Wide> load(const Row (&rows)[3])
 {
-  const std::int64_t i = rows.i[k], j = rows.j[k];
-  const Lane3 arm1 = rotate(bodies.attitude(i), rows.centre1.get(k));
-  const Lane3 arm2 = rotate(bodies.attitude(j), rows.centre2.get(k));
-  const Lane3 between = bodies.position(i) - bodies.position(j);
-  const Lane3 d = between + (arm1 - arm2);
-  const double square = dot(d, d);
-  const double distance = std::sqrt(square + 1e-300);
-  const double overlap = rows.radius1[k] + rows.radius2[k] - distance;
-  const double inverse = 1 / distance, depth = rows.radius1[k] - 0.5 * overlap;
-  normal.x = inverse * d.x, normal.y = inverse * d.y, normal.z = inverse * d.z;
-  arm.x = arm1.x - depth * normal.x, arm.y = arm1.y - depth * normal.y;
-  arm.z = arm1.z - depth * normal.z;
-  return overlap;
+  return {Wide::load(rows[0]), Wide::load(rows[1]), Wide::load(rows[2])};
+}
+INTERLOCK_LANE void store(Row (&rows)[3], LaneVector<Wide> a)
+{
+  a.x.store(rows[0]), a.y.store(rows[1]), a.z.store(rows[2]);
 }
 
-// A wall's rectangle, worked out once for all its lanes.
-struct WallPlane {
-  explicit WallPlane(const Wall& wall)
-      : corner(lane(wall.corner)), e1(lane(wall.edge1)), e2(lane(wall.edge2)), s1(1 / dot(e1, e1)),
-        s2(1 / dot(e2, e2))
-  {
-  }
-  Lane3 corner, e1, e2;
-  double s1, s2;
+struct Contact {
+  Wide overlap; // negative for a gap [m]
+  LaneVector<Wide> normal, point;
 };
 
-// The same of a sphere against a wall.
-INTERLOCK_LANE double wall_geometry(const BodyRows& bodies, const LaneRows& rows,
-                                    const WallPlane& wall, std::int64_t k, Lane3& normal,
-                                    Lane3& arm)
+INTERLOCK_LANE Contact contact_of(const LaneBlock& block, const LaneGeometry& geometry)
 {
-  const std::int64_t i = rows.i[k];
-  const Lane3 arm1 = rotate(bodies.attitude(i), rows.centre1.get(k));
-  const Lane3 from_corner = (bodies.position(i) - wall.corner) + arm1;
-  double s = wall.s1 * dot(from_corner, wall.e1), t = wall.s2 * dot(from_corner, wall.e2);
-  s = s > 0 ? s : 0;
-  s = s < 1 ? s : 1;
-  t = t > 0 ? t : 0;
-  t = t < 1 ? t : 1;
-  const Lane3 d = from_corner - s * wall.e1 - t * wall.e2;
-  const double square = dot(d, d);
-  const double distance = std::sqrt(square + 1e-300);
-  const double overlap = rows.radius1[k] - distance;
-  const double inverse = 1 / distance, depth = rows.radius1[k] - 0.5 * overlap;
-  normal.x = inverse * d.x, normal.y = inverse * d.y, normal.z = inverse * d.z;
-  arm.x = arm1.x - depth * normal.x, arm.y = arm1.y - depth * normal.y;
-  arm.z = arm1.z - depth * normal.z;
-  return overlap;
+  const LaneVector<Wide> d = load(geometry.between);
+  const Wide distance = square_root(dot(d, d) + 1e-300), radius1 = Wide::load(block.radius1);
+  Contact contact;
+  contact.overlap = (radius1 + Wide::load(block.radius2)) - distance;
+  contact.normal = (1 / distance) * d;
+  // In the middle of the overlap.
+  contact.point = load(geometry.centre) - (radius1 - 0.5 * contact.overlap) * contact.normal;
+  return contact;
 }
 
 template <bool shared, class Law>
-void pairs(const Clumps& clumps, const Law& law_of_pair, double dt, ContactLanes& lanes)
+INTERLOCK_LANE void apply_law(const Law& law, double dt, const LaneGeometry& geometry,
+                              LaneBlock& block, LaneMoments& out)
 {
-  const BodyRows bodies(clumps);
-  const LaneRows rows(lanes);
-  const Law law = law_of_pair;
-  const int n = lanes.overlap.padded_size();
-#pragma GCC ivdep
-  for (std::int64_t k = 0; k < n; ++k) {
-    const std::int64_t i = rows.i[k], j = rows.j[k];
-    Lane3 normal, r1;
-    const double overlap = pair_geometry(bodies, rows, k, normal, r1);
-    // The contact point is the same for both.
-    const Lane3 r2 = r1 + (bodies.position(i) - bodies.position(j));
-    const Lane3 w1 = bodies.spin(i), w2 = bodies.spin(j);
-    const Lane3 relative =
-        (bodies.velocity(i) - bodies.velocity(j)) + (cross(w1, r1) - cross(w2, r2));
-    const double twist = 0.5 * dt * dot(w1 + w2, normal);
+  constexpr bool stiffness_changes = shared || Law::stiffness_changes;
+  const Contact contact = contact_of(block, geometry);
+  const LaneVector<Wide> relative =
+      load(geometry.velocity) + cross(load(geometry.spin_difference), contact.point);
+  const LaneVector<Wide> turn = 0.5 * dt * load(geometry.spin_sum);
 
-    LaneHistory history = rows.history(k);
-    LaneEnergy energy;
-    const Lane3 force = contact_force<shared>(law, rows.constants(k), overlap, normal, relative,
-                                              twist, rows.share<shared>(k), dt, history, energy);
-    rows.keep(k, history);
-    rows.force.set(k, force);
-    rows.torque1.set(k, cross(r1, force));
-    rows.torque2.set(k, cross(force, r2));
-    rows.energy(k, energy);
+  ConstantsOf<Wide> constants{Wide::load(block.reduced_mass), Wide::load(block.root_mass), 0};
+  HistoryOf<Wide> history{load(block.spring), load(block.dashpot), Wide::load(block.overlap), 0};
+  if constexpr (stiffness_changes) {
+    constants.reduced_radius = Wide::load(block.reduced_radius);
+    history.tangential_stiffness = Wide::load(block.tangential_stiffness);
+  }
+  ShareOf<Wide> share;
+  if constexpr (shared) share = {Wide::load(block.shared_depth), Wide::load(block.gradient)};
+  EnergyOf<Wide> energy;
+  const LaneVector<Wide> force = contact_force<shared>(
+      law, constants, contact.overlap, contact.normal, relative, turn, share, dt, history, energy);
+  store(block.spring, history.spring);
+  store(block.dashpot, history.dashpot);
+  history.overlap.store(block.overlap);
+  if constexpr (stiffness_changes) history.tangential_stiffness.store(block.tangential_stiffness);
+  store(block.force, force);
+  store(out.moment, cross(contact.point, force));
+  energy.friction.store(out.friction);
+  energy.damping.store(out.damping);
+}
+
+// The quads of lanes l to l + 3 that are summed.
+struct Wrenches {
+  INTERLOCK_LANE Wrenches(const LaneBlock& block, const LaneMoments& moments, int l)
+      : force(lanes_to_quads(block.force[0] + l, block.force[1] + l, block.force[2] + l,
+                             moments.friction + l)),
+        moment(lanes_to_quads(moments.moment[0] + l, moments.moment[1] + l, moments.moment[2] + l,
+                              moments.damping + l))
+  {
+  }
+  std::array<Quad, 4> force, moment;
+};
+
+INTERLOCK_LANE Quad kept_where(std::int64_t bits, Quad a)
+{
+  using Bits = std::int64_t __attribute__((vector_size(32)));
+  return reinterpret_cast<Quad>(reinterpret_cast<Bits>(a) & Bits{bits, bits, bits, bits});
+}
+
+// Sums of the run of lanes with the same first clump.
+struct Run {
+  Quad force{}, moment{};
+};
+
+INTERLOCK_LANE void add_pairs(const LaneBlock& block, const LaneMoments& moments, Run& run,
+                              BodySums::Sum* sums)
+{
+  for (int l = 0; l < lane_width; l += 4) {
+    const Wrenches w(block, moments, l);
+    for (int k = 0; k < 4; ++k) {
+      const std::int64_t same = block.same_first[l + k];
+      run.force = kept_where(same, run.force) + w.force[k];
+      run.moment = kept_where(same, run.moment) + w.moment[k];
+      BodySums::Sum &first = sums[block.i[l + k]], &second = sums[block.j[l + k]];
+      first.first_force = run.force;
+      first.first_moment = run.moment;
+      second.other_force -= w.force[k];
+      second.other_moment -= w.moment[k];
+    }
   }
 }
 
-template <bool shared, class Law>
-void wall_lanes(const Clumps& clumps, const Law& law_of_wall, const Wall& wall, double dt,
-                WallSegment segment, ContactLanes& lanes)
+INTERLOCK_LANE void add_at_wall(const LaneBlock& block, const LaneMoments& moments, Run& on_stones,
+                                BodySums::Sum* sums)
 {
-  const BodyRows bodies(clumps);
-  const LaneRows rows(lanes);
-  const Law law = law_of_wall;
-  const WallPlane plane(wall);
-  const Lane3 velocity = lane(wall.velocity);
-  const int end = padded(segment.end); // whole registers, see component_arrays.h
-#pragma GCC ivdep
-  for (std::int64_t k = segment.begin; k < end; ++k) {
-    const std::int64_t i = rows.i[k];
-    Lane3 normal, r;
-    const double overlap = wall_geometry(bodies, rows, plane, k, normal, r);
-    const Lane3 w = bodies.spin(i);
-    const Lane3 relative = (bodies.velocity(i) - velocity) + cross(w, r);
-
-    LaneHistory history = rows.history(k);
-    LaneEnergy energy;
-    const Lane3 force = contact_force<shared>(law, rows.constants(k), overlap, normal, relative,
-                                              0.5 * dt * dot(w, normal), rows.share<shared>(k), dt,
-                                              history, energy);
-    rows.keep(k, history);
-    rows.force.set(k, force);
-    rows.torque1.set(k, cross(r, force));
-    rows.energy(k, energy);
+  for (int l = 0; l < lane_width; l += 4) {
+    const Wrenches w(block, moments, l);
+    for (int k = 0; k < 4; ++k) {
+      BodySums::Sum& sum = sums[block.i[l + k]];
+      sum.other_force += w.force[k];
+      sum.other_moment += w.moment[k];
+      on_stones.force += w.force[k];
+      on_stones.moment += w.moment[k];
+    }
   }
-}
-
-// Overlaps now, before the law, into lanes.elastic.
-template <class Overlap>
-void measure(ContactLanes& lanes, int begin, int end, const Overlap& overlap)
-{
-  double* __restrict result = lanes.elastic.row(0);
-#pragma GCC ivdep
-  for (std::int64_t k = begin; k < end; ++k) result[k] = overlap(k);
 }
 
 // Calls f with the law that the properties name.
@@ -214,99 +151,78 @@ template <class Function> void with_law(const ContactProperties& pair, const Fun
   if (pair.model == ContactModel::hertz_mindlin && !shared) f(Plain(), HertzMindlinLaw(pair));
   if (pair.model == ContactModel::hertz_mindlin && shared) f(Shared(), HertzMindlinLaw(pair));
 }
+
+// Runs all blocks through place(block, geometry), the law and add(block, moments).
+template <bool shared, class Law, class Place, class Add>
+INTERLOCK_LANE void run_stages(const Law& law_of_pair, double dt, LaneBlock* blocks, int n,
+                               const Place& place, const Add& add)
+{
+  const Law law = law_of_pair;
+  LaneGeometry geometry[blocks_at_a_time];
+  LaneMoments moments[blocks_at_a_time];
+  for (int begin = 0; begin < n; begin += blocks_at_a_time) {
+    const int m = std::min(blocks_at_a_time, n - begin);
+    LaneBlock* now = blocks + begin;
+    for (int b = 0; b < m; ++b) place(now[b], geometry[b]);
+    for (int b = 0; b < m; ++b) apply_law<shared>(law, dt, geometry[b], now[b], moments[b]);
+    for (int b = 0; b < m; ++b) add(now[b], moments[b]);
+  }
+}
+
+// Present overlaps into shared_depth.
+template <class Place> void measure(LaneBlock* blocks, int n, const Place& place)
+{
+  LaneGeometry geometry;
+  for (int b = 0; b < n; ++b) {
+    place(blocks[b], geometry);
+    contact_of(blocks[b], geometry).overlap.store(blocks[b].shared_depth);
+  }
+}
 } // namespace
 
-void evaluate_pairs(const Clumps& clumps, const ContactProperties& pair, double dt,
-                    ContactLanes& lanes)
+void evaluate_pairs(const BodyRecords& bodies, const ContactProperties& pair, double dt,
+                    ContactLanes& lanes, BodySums& sums)
 {
+  LaneBlock* blocks = lanes.blocks().data();
+  const int n = static_cast<int>(lanes.blocks().size());
+  const auto place = [&](const LaneBlock& block, LaneGeometry& geometry) {
+    place_pairs(bodies, block, geometry);
+  };
   if (pair.share_among_contacts) {
-    measure(lanes, 0, lanes.overlap.padded_size(),
-            [bodies = BodyRows(clumps), rows = LaneRows(lanes)](std::int64_t k) {
-              Lane3 normal, arm;
-              return pair_geometry(bodies, rows, k, normal, arm);
-            });
+    measure(blocks, n, place);
     share_contacts(0, lanes.size(), lanes);
   }
+  Run run;
   with_law(pair, [&](auto shared, const auto& law) {
-    pairs<decltype(shared)::value>(clumps, law, dt, lanes);
+    run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
+                                        [&](const LaneBlock& block, const LaneMoments& moments) {
+                                          add_pairs(block, moments, run, sums.data());
+                                        });
   });
 }
 
-void evaluate_wall(const Clumps& clumps, const Wall& wall, double dt, WallSegment segment,
-                   ContactLanes& lanes)
+void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, ContactLanes& lanes,
+                   BodySums& sums, Wall& wall, ContactEnergy& energy)
 {
+  const WallPlane plane(wall);
+  LaneBlock* blocks = lanes.blocks().data() + segment.begin / lane_width;
+  const int n = (segment.end - segment.begin + lane_width - 1) / lane_width;
+  const auto place = [&](const LaneBlock& block, LaneGeometry& geometry) {
+    place_at_wall(bodies, plane, block, geometry);
+  };
   if (wall.contact.share_among_contacts) {
-    measure(lanes, segment.begin, padded(segment.end),
-            [bodies = BodyRows(clumps), rows = LaneRows(lanes),
-             plane = WallPlane(wall)](std::int64_t k) {
-              Lane3 normal, arm;
-              return wall_geometry(bodies, rows, plane, k, normal, arm);
-            });
+    measure(blocks, n, place);
     share_contacts(segment.begin, segment.end, lanes);
   }
+  Run on_stones;
   with_law(wall.contact, [&](auto shared, const auto& law) {
-    wall_lanes<decltype(shared)::value>(clumps, law, wall, dt, segment, lanes);
+    run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
+                                        [&](const LaneBlock& block, const LaneMoments& moments) {
+                                          add_at_wall(block, moments, on_stones, sums.data());
+                                        });
   });
-}
-
-namespace
-{
-// What a contact that has just opened lost counts, too.
-INTERLOCK_LANE void add_energy(const ContactLanes& lanes, int k, ContactEnergy& energy)
-{
-  energy.elastic += lanes.elastic[k];
-  energy.friction += lanes.friction[k];
-  energy.damping += lanes.damping[k];
-}
-
-int count_touching(const ContactLanes& lanes, int begin, int end)
-{
-  const double* overlap = lanes.overlap.row(0);
-  int touching = 0;
-  for (int k = begin; k < end; ++k) touching += overlap[k] > 0;
-  return touching;
-}
-} // namespace
-
-// Without branches: a lane that does not touch adds zeros, so that lanes which are only about to
-// touch change no digit. Runs of one clump, kept in registers, cost more in mispredicted ends than
-// they save.
-int add_pair_forces(const ContactLanes& lanes, WrenchSums& sums, ContactEnergy& energy)
-{
-  const int n = lanes.overlap.padded_size();
-  ContactEnergy all = energy;
-  for (int k = 0; k < n; k += 4) {
-    const auto force = quads(lanes.force, k), torque1 = quads(lanes.torque1, k),
-               torque2 = quads(lanes.torque2, k);
-    for (int l = 0; l < 4; ++l) {
-      sums.add(lanes.i[k + l], force[l], torque1[l]);
-      sums.add(lanes.j[k + l], -force[l], torque2[l]);
-      add_energy(lanes, k + l, all);
-    }
-  }
-  energy = all;
-  return count_touching(lanes, 0, n);
-}
-
-int add_wall_forces(const ContactLanes& lanes, WallSegment segment, WrenchSums& sums, Wall& wall,
-                    ContactEnergy& energy)
-{
-  const int end = padded(segment.end);
-  Quad on_stones{};
-  for (int k = segment.begin; k < end; k += 4) {
-    const auto force = quads(lanes.force, k), torque = quads(lanes.torque1, k);
-    for (int l = 0; l < 4; ++l) {
-      sums.add(lanes.i[k + l], force[l], torque[l]);
-      on_stones += force[l];
-      add_energy(lanes, k + l, energy);
-    }
-  }
-  wall.force = {-on_stones[0], -on_stones[1], -on_stones[2]};
-  return count_touching(lanes, segment.begin, end);
-}
-
-double largest_overlap(const ContactLanes& lanes)
-{
-  return lanes.size() > 0 ? *std::max_element(lanes.overlap.begin(), lanes.overlap.end()) : 0;
+  wall.force = {-on_stones.force[0], -on_stones.force[1], -on_stones.force[2]};
+  energy.friction += on_stones.force[3];
+  energy.damping += on_stones.moment[3];
 }
 } // namespace interlock::dem

@@ -1,9 +1,10 @@
-// The contacts about to touch as flat arrays, one lane a contact, padded to whole registers.
+// The contacts about to touch, one lane a contact. A block holds all that the law reads and writes
+// of lane_width lanes, so that they are one piece of memory.
 #pragma once
 
 #include "dem/bodies/clumps.h"
 #include "dem/contacts/contact_memory.h"
-#include "dem/lanes/wrench_sums.h"
+#include "dem/lanes/body_records.h"
 #include "dem/walls/wall.h"
 
 namespace interlock::dem
@@ -19,63 +20,70 @@ struct WallSegment {
   int begin = 0, end = 0;
 };
 
-// Entries that cannot touch fill up registers. Histories and forces are those of the last
-// evaluation.
+// Rows of one block; a vector is three of them.
+struct alignas(64) LaneBlock {
+  using Row = double[lane_width];
+  Row centre1[3], centre2[3];  // of the member spheres, body frames [m]
+  Row radius1, radius2;        // [m]
+  Row reduced_mass, root_mass; // ContactConstants
+  // LaneHistory.
+  Row spring[3], dashpot[3], overlap;
+  Row force[3]; // on the clump i at the last evaluation, world [N]
+  // Indices of the clumps; at walls `j` is unused. `same_first`: all bits set where the lane before
+  // has the same i, none otherwise.
+  std::int32_t i[lane_width], j[lane_width];
+  std::int64_t same_first[lane_width];
+  // Of laws whose stiffness changes: Hertz's radius, LaneHistory, ContactShare of this step.
+  Row reduced_radius, tangential_stiffness, shared_depth, gradient;
+};
+
 class ContactLanes
 {
 public:
-  int size() const { return overlap.size(); }
-  void resize(int n);
+  int size() const { return static_cast<int>(keys_.size()); }
+  // Makes n idle lanes, which cannot touch. The rest of the last block is idle, too.
+  void reset(int n);
 
-  // See ContactKey. Indices as wide as a double: narrower ones make the compiler work on twice as
-  // many lanes at a time, more than there are registers for.
-  std::vector<std::int64_t> i, j;
-  std::vector<int> a, b;
-  VectorField centre1, centre2{Vector3::UnitX()}; // of the member spheres, body frames [m]
-  ScalarField radius1{never_touching()}, radius2; // [m]
-  ScalarField reduced_mass{one()}, root_mass{one()}, reduced_radius{one()}; // ContactConstants
-  ScalarField shared_depth, gradient{one()}; // ContactShare of this step
+  const ContactKey& key(int k) const { return keys_[k]; }
 
-  // LaneHistory.
-  VectorField spring, dashpot;
-  ScalarField overlap, tangential_stiffness;
-
-  // On the clump i, world; torques about the centres of mass of i and of j [N], [N m].
-  VectorField force, torque1, torque2;
-  // LaneEnergy of the last evaluation.
-  ScalarField elastic, friction, damping;
-
-  // Sets keys and constants of lane k; the history is left alone.
-  void set_pair(int k, const ContactKey& key, const Clumps& clumps);
-  void set_wall(int k, const ContactKey& key, const Clumps& clumps);
-  void copy_history(int k, const ContactLanes& from, int from_k);
+  // Numbers of lane k, see LaneBlock.
+  double overlap(int k) const { return block(k).overlap[k % lane_width]; }
+  ContactShare share(int k) const;
   LaneMemory memory(int k) const;
   void remember(int k, const LaneMemory& memory);
-  bool holds_something(int k) const { return overlap[k] > 0; } // an open contact holds nothing
+  // What the history of lane k stores in the springs of its contact [J].
+  double stored_energy(int k, const ContactProperties& pair) const;
+
+  // Sets the key and constants of lane k; the history is left alone.
+  void set_pair(int k, const ContactKey& key, const Clumps& clumps);
+  void set_wall(int k, const ContactKey& key, const Clumps& clumps);
+  // To be called when all pairs are set: gives idle lanes at the end the clumps of the last one.
+  void finish_pairs();
+  bool holds_something(int k) const { return overlap(k) > 0; } // an open contact holds nothing
+
+  LaneBlock& block(int k) { return blocks_[k / lane_width]; }
+  const LaneBlock& block(int k) const { return blocks_[k / lane_width]; }
+  std::vector<LaneBlock>& blocks() { return blocks_; }
+  const std::vector<LaneBlock>& blocks() const { return blocks_; }
 
 private:
-  static Eigen::Matrix<double, 1, 1> one() { return Eigen::Matrix<double, 1, 1>::Ones(); }
-  static Eigen::Matrix<double, 1, 1> never_touching() { return -1e3 * one(); }
+  std::vector<ContactKey> keys_;
+  std::vector<LaneBlock> blocks_;
 };
 
-// Forces, torques and new histories of all lanes, from the poses and the step's motion of the
-// clumps. `dt`: step over which springs advance [s].
-void evaluate_pairs(const Clumps& clumps, const ContactProperties& pair, double dt,
-                    ContactLanes& lanes);
-// The same for the lanes of one wall.
-void evaluate_wall(const Clumps& clumps, const Wall& wall, double dt, WallSegment segment,
-                   ContactLanes& lanes);
+// Forces and new histories of all lanes, from the records of the clumps (their poses and the step's
+// motion); adds forces and torques to `sums`. `dt`: step over which springs advance [s].
+void evaluate_pairs(const BodyRecords& bodies, const ContactProperties& pair, double dt,
+                    ContactLanes& lanes, BodySums& sums);
+// The same for the lanes of one wall, whose force is set, too. Friction and damping are added to
+// `energy`.
+void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, ContactLanes& lanes,
+                   BodySums& sums, Wall& wall, ContactEnergy& energy);
 
-// Adds forces and torques to the sums of their clumps, in list order, and energies to `energy`;
-// returns the number of touching contacts.
-int add_pair_forces(const ContactLanes& lanes, WrenchSums& sums, ContactEnergy& energy);
-// The same for one wall, whose force is set, too.
-int add_wall_forces(const ContactLanes& lanes, WallSegment segment, WrenchSums& sums, Wall& wall,
-                    ContactEnergy& energy);
-
+int count_touching(const ContactLanes& lanes);
 double largest_overlap(const ContactLanes& lanes); // [m]
 
-// Sets the shares of lanes [begin, end) from their present overlaps, which are left in
-// lanes.elastic: lanes of the same i and j share one contact (contact_shares.cc).
+// Sets the shares of lanes [begin, end) from their present overlaps, which stand in shared_depth:
+// lanes of the same i and j share one contact (contact_shares.cc).
 void share_contacts(int begin, int end, ContactLanes& lanes);
 } // namespace interlock::dem

@@ -33,26 +33,29 @@ Powers powers(double x)
 
 void share_contacts(int begin, int end, ContactLanes& lanes)
 {
-  const double* overlap = lanes.elastic.row(0);
+  const auto overlap = [&](int k) { return lanes.block(k).shared_depth[k % lane_width]; };
+  const auto same_bodies = [&](int k, int l) {
+    return lanes.key(k).i == lanes.key(l).i && lanes.key(k).j == lanes.key(l).j;
+  };
   for (int k = begin; k < end;) {
     int last = k;
     double deepest = 0;
-    for (; last < end && lanes.i[last] == lanes.i[k] && lanes.j[last] == lanes.j[k]; ++last)
-      deepest = std::max(deepest, overlap[last]);
+    for (; last < end && same_bodies(last, k); ++last) deepest = std::max(deepest, overlap(last));
     double upper = 0, lower = 0; // sums of x^p and x^(p-1), x: overlap over the deepest one
     for (int c = k; c < last && deepest > 0; ++c) {
-      const double x = std::max(0., overlap[c]) / deepest, high = powers(x).high;
+      const double x = std::max(0., overlap(c)) / deepest, high = powers(x).high;
       lower += high;
       upper += high * x;
     }
     for (; k < last; ++k) {
-      lanes.shared_depth[k] = lower > 0 ? deepest * upper / lower : 0;
-      lanes.gradient[k] = 1;
-      if (overlap[k] <= 0) continue;
-      const double x = overlap[k] / deepest;
-      const Powers power = powers(x);
-      lanes.gradient[k] =
-          (exponent * power.high - upper / lower * (exponent - 1) * power.low) / lower;
+      double gradient = 1;
+      if (overlap(k) > 0) {
+        const double x = overlap(k) / deepest;
+        const Powers power = powers(x);
+        gradient = (exponent * power.high - upper / lower * (exponent - 1) * power.low) / lower;
+      }
+      lanes.block(k).gradient[k % lane_width] = gradient;
+      lanes.block(k).shared_depth[k % lane_width] = lower > 0 ? deepest * upper / lower : 0;
     }
   }
 }

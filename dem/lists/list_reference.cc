@@ -27,8 +27,8 @@ struct Motion {
   }
   INTERLOCK_LANE double turned_square(int i) const
   {
-    const LaneQuaternion turn =
-        conjugate({px[i], py[i], pz[i], pw[i]}) * LaneQuaternion{qx[i], qy[i], qz[i], qw[i]};
+    const LaneQuaternion turn = conjugate(LaneQuaternion{px[i], py[i], pz[i], pw[i]}) *
+                                LaneQuaternion{qx[i], qy[i], qz[i], qw[i]};
     return 4 * reach[i] * reach[i] * (turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
   }
 };

@@ -1,57 +1,46 @@
 // The inner level of the neighbour lists: lanes about to touch, and the histories they carry over.
 #include "dem/lists/neighbour_lists.h"
 
-#include <algorithm>
-#include <tuple>
+#include <cstdint>
+#include <utility>
 
 namespace interlock::dem
 {
 namespace
 {
-auto key_of(const ContactLanes& lanes, int k)
+// (i, j) and (a, b) as one number each, which order as the keys do.
+using Order = std::pair<std::uint64_t, std::uint64_t>;
+Order order_of(const ContactKey& key)
 {
-  return std::make_tuple(lanes.i[k], lanes.j[k], lanes.a[k], lanes.b[k]);
-}
-
-// Histories of lanes [begin, end) from those of old lanes with the same key; both are sorted.
-void carry_histories(const ContactLanes& old, WallSegment from, ContactLanes& lanes, WallSegment to)
-{
-  int o = from.begin;
-  for (int k = to.begin; k < to.end; ++k) {
-    const auto key = key_of(lanes, k);
-    while (o < from.end && key_of(old, o) < key) ++o;
-    if (o == from.end) return;
-    if (key_of(old, o) == key) lanes.copy_history(k, old, o);
-  }
-}
-
-bool comes_before(const ContactKey& x, const ContactKey& y)
-{
-  return std::tie(x.i, x.j, x.a, x.b) < std::tie(y.i, y.j, y.a, y.b);
-}
-
-// Puts those old lanes that touched and are not among the keys from `begin` on back into their
-// place. A contact that opens is evaluated once more, to book what it lost; however wide it opened
-// within the step, this must not depend on the skins.
-void keep_touching(const ContactLanes& old, WallSegment from, std::ptrdiff_t begin,
-                   std::vector<ContactKey>& keys)
-{
-  const std::ptrdiff_t end = keys.size();
-  std::ptrdiff_t k = begin;
-  for (int o = from.begin; o < from.end; ++o) {
-    if (old.overlap[o] <= 0) continue;
-    const ContactKey key{static_cast<int>(old.i[o]), static_cast<int>(old.j[o]), old.a[o],
-                         old.b[o]};
-    while (k < end && comes_before(keys[k], key)) ++k;
-    if (k == end || comes_before(key, keys[k])) keys.push_back(key);
-  }
-  std::inplace_merge(keys.begin() + begin, keys.begin() + end, keys.end(), comes_before);
+  const auto joined = [](int high, int low) {
+    return std::uint64_t(std::uint32_t(high)) << 32 | std::uint32_t(low);
+  };
+  return {joined(key.i, key.j), joined(key.a, key.b)};
 }
 } // namespace
+
+// Appends `keys_` to the lanes to be made, each with the old lane of the same key if that one
+// touched, and those old lanes that touched and are not among the keys. A contact that opens is
+// evaluated once more, to book what it lost; however wide it opened within the step, this must not
+// depend on the skins. Lanes that did not touch hold nothing.
+void NeighbourLists::append_keys(const ContactLanes& old, WallSegment from)
+{
+  auto key = keys_.begin();
+  for (int o = from.begin; o < from.end; ++o) {
+    if (!old.holds_something(o)) continue;
+    const Order touching = order_of(old.key(o));
+    for (; key != keys_.end() && order_of(*key) < touching; ++key) new_lanes_.push_back({*key, -1});
+    if (key != keys_.end() && order_of(*key) == touching) ++key;
+    new_lanes_.push_back({old.key(o), o});
+  }
+  for (; key != keys_.end(); ++key) new_lanes_.push_back({*key, -1});
+}
 
 void NeighbourLists::build_pair_lanes(const Clumps& clumps)
 {
   keys_.clear();
+  int turned = -1; // the clump that `turn_i` belongs to
+  Matrix3 turn_i = Matrix3::Identity();
   for (const ClumpPair& pair : clump_pairs_) {
     if (pair.first == pair.last) continue;
     const int i = pair.i, j = pair.j;
@@ -59,38 +48,46 @@ void NeighbourLists::build_pair_lanes(const Clumps& clumps)
     const double used = middle_used_[i] + middle_used_[j];
     // Measured only where the bound alone would let too much pass.
     const bool measure = used > 0.3 * skins;
+    Matrix3 turn_j;
+    if (measure) {
+      if (turned != i) turn_i = clumps.orientation[i].toRotationMatrix();
+      turned = i;
+      turn_j = clumps.orientation[j].toRotationMatrix();
+    }
+    const std::vector<Sphere>&of_i = clumps.shape_of(i).spheres, &of_j = clumps.shape_of(j).spheres;
+    const Vector3 between = clumps.position[i] - clumps.position[j];
     for (int c = pair.first; c < pair.last; ++c) {
       const NearSpheres& near = candidates_[c];
       if (near.gap > skins + used) continue;
       if (measure) {
-        const Sphere &sa = clumps.shape_of(i).spheres[near.a],
-                     &sb = clumps.shape_of(j).spheres[near.b];
-        const Vector3 d = clumps.position[i] - clumps.position[j] +
-                          (clumps.member_offset(i, near.a) - clumps.member_offset(j, near.b));
+        const Sphere &sa = of_i[near.a], &sb = of_j[near.b];
+        const Vector3 d = between + turn_i * sa.centre - turn_j * sb.centre;
         const double reach = sa.radius + sb.radius + skins;
         if (d.squaredNorm() > reach * reach) continue;
       }
       keys_.push_back({i, j, near.a, near.b});
     }
   }
-  keep_touching(pairs_, {0, pairs_.size()}, 0, keys_);
+  new_lanes_.clear();
+  append_keys(pairs_, {0, pairs_.size()});
   std::swap(old_pairs_, pairs_);
-  const int n = static_cast<int>(keys_.size());
-  pairs_.resize(0);
-  pairs_.resize(n);
-  for (int k = 0; k < n; ++k) pairs_.set_pair(k, keys_[k], clumps);
-  carry_histories(old_pairs_, {0, old_pairs_.size()}, pairs_, {0, n});
+  pairs_.reset(static_cast<int>(new_lanes_.size()));
+  for (int k = 0; k < pairs_.size(); ++k) {
+    const auto& [key, old] = new_lanes_[k];
+    pairs_.set_pair(k, key, clumps);
+    if (old >= 0) pairs_.remember(k, old_pairs_.memory(old));
+  }
+  pairs_.finish_pairs();
 }
 
 void NeighbourLists::build_wall_lanes(const Clumps& clumps, const std::vector<Wall>& walls)
 {
-  keys_.clear();
+  new_lanes_.clear();
   old_wall_segments_.swap(wall_segments_);
   wall_segments_.clear();
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const WallCandidates& at = at_walls_[w];
-    keys_.resize(padded(static_cast<int>(keys_.size())));
-    WallSegment segment{static_cast<int>(keys_.size()), 0};
+    keys_.clear();
     const double wall_used = (walls[w].corner - at.reference).norm();
     for (const WallClump& clump : at.clumps) {
       const int i = clump.i;
@@ -105,98 +102,82 @@ void NeighbourLists::build_wall_lanes(const Clumps& clumps, const std::vector<Wa
         keys_.push_back({i, static_cast<int>(w), near.a, 0});
       }
     }
-    if (w < old_wall_segments_.size())
-      keep_touching(wall_lanes_, old_wall_segments_[w], segment.begin, keys_);
-    segment.end = static_cast<int>(keys_.size());
-    wall_segments_.push_back(segment);
+    new_lanes_.resize(padded(static_cast<int>(new_lanes_.size())));
+    const int begin = static_cast<int>(new_lanes_.size());
+    const bool known = w < old_wall_segments_.size();
+    append_keys(wall_lanes_, known ? old_wall_segments_[w] : WallSegment{0, 0});
+    wall_segments_.push_back({begin, static_cast<int>(new_lanes_.size())});
   }
   std::swap(old_wall_lanes_, wall_lanes_);
-  wall_lanes_.resize(0);
-  wall_lanes_.resize(static_cast<int>(keys_.size()));
-  for (std::size_t w = 0; w < walls.size(); ++w) {
-    const WallSegment segment = wall_segments_[w];
-    for (int k = segment.begin; k < segment.end; ++k) wall_lanes_.set_wall(k, keys_[k], clumps);
-    if (w < old_wall_segments_.size())
-      carry_histories(old_wall_lanes_, old_wall_segments_[w], wall_lanes_, segment);
-  }
-}
-
-void NeighbourLists::renumber_clumps(const std::vector<int>& new_index)
-{
-  // Order is kept by the renumbering, so the lists stay sorted.
-  int kept = 0;
-  ContactLanes& p = pairs_;
-  for (int k = 0; k < p.size(); ++k) {
-    const int i = new_index[p.i[k]], j = new_index[p.j[k]];
-    if (i < 0 || j < 0) continue;
-    p.i[kept] = i, p.j[kept] = j, p.a[kept] = p.a[k], p.b[kept] = p.b[k];
-    p.copy_history(kept, p, k);
-    ++kept;
-  }
-  p.resize(kept);
-  ContactLanes& w = wall_lanes_;
-  int next = 0;
-  for (WallSegment& segment : wall_segments_) {
-    const int begin = padded(next);
-    for (; next < begin; ++next) w.overlap[next] = 0; // padding holds nothing
+  wall_lanes_.reset(static_cast<int>(new_lanes_.size()));
+  for (const WallSegment& segment : wall_segments_)
     for (int k = segment.begin; k < segment.end; ++k) {
-      const int i = new_index[w.i[k]];
-      if (i < 0) continue;
-      w.i[next] = i, w.j[next] = w.j[k], w.a[next] = w.a[k], w.b[next] = 0;
-      w.copy_history(next, w, k);
-      ++next;
+      const auto& [key, old] = new_lanes_[k];
+      wall_lanes_.set_wall(k, key, clumps);
+      if (old >= 0) wall_lanes_.remember(k, old_wall_lanes_.memory(old));
     }
-    segment = {begin, next};
-  }
-  w.resize(next);
-  invalidate();
 }
 
-void NeighbourLists::renumber_walls(const std::vector<int>& new_index)
+// Order is kept by the renumbering, so what is remembered stays sorted.
+void NeighbourLists::renumber_clumps(const Clumps& clumps, const std::vector<int>& new_index)
 {
-  ContactLanes& w = wall_lanes_;
-  std::vector<WallSegment> kept;
-  int next = 0;
+  std::vector<Remembered> pairs, at_walls;
+  for (int k = 0; k < pairs_.size(); ++k) {
+    const ContactKey& old = pairs_.key(k);
+    const int i = new_index[old.i], j = new_index[old.j];
+    if (pairs_.holds_something(k) && i >= 0 && j >= 0)
+      pairs.push_back({{i, j, old.a, old.b}, pairs_.memory(k)});
+  }
+  for (const WallSegment& segment : wall_segments_)
+    for (int k = segment.begin; k < segment.end; ++k) {
+      const ContactKey& old = wall_lanes_.key(k);
+      if (wall_lanes_.holds_something(k) && new_index[old.i] >= 0)
+        at_walls.push_back({{new_index[old.i], old.j, old.a, 0}, wall_lanes_.memory(k)});
+    }
+  restore(clumps, static_cast<int>(wall_segments_.size()), pairs, at_walls);
+}
+
+void NeighbourLists::renumber_walls(const Clumps& clumps, const std::vector<int>& new_index)
+{
+  std::vector<Remembered> pairs, at_walls;
+  for (int k = 0; k < pairs_.size(); ++k)
+    if (pairs_.holds_something(k)) pairs.push_back({pairs_.key(k), pairs_.memory(k)});
+  int n_walls = 0;
   for (std::size_t old = 0; old < wall_segments_.size(); ++old) {
     if (new_index[old] < 0) continue;
-    const WallSegment segment = wall_segments_[old];
-    const int begin = padded(next);
-    for (; next < begin; ++next) w.overlap[next] = 0; // padding holds nothing
-    for (int k = segment.begin; k < segment.end; ++k, ++next) {
-      w.i[next] = w.i[k], w.j[next] = new_index[old], w.a[next] = w.a[k], w.b[next] = 0;
-      w.copy_history(next, w, k);
-    }
-    kept.push_back({begin, next});
+    ++n_walls;
+    for (int k = wall_segments_[old].begin; k < wall_segments_[old].end; ++k)
+      if (wall_lanes_.holds_something(k))
+        at_walls.push_back({{wall_lanes_.key(k).i, new_index[old], wall_lanes_.key(k).a, 0},
+                            wall_lanes_.memory(k)});
   }
-  w.resize(next);
-  wall_segments_ = kept;
-  invalidate();
+  restore(clumps, n_walls, pairs, at_walls);
 }
 
 void NeighbourLists::restore(const Clumps& clumps, int n_walls,
                              const std::vector<Remembered>& pairs,
                              const std::vector<Remembered>& at_walls)
 {
-  pairs_.resize(0);
-  pairs_.resize(static_cast<int>(pairs.size()));
+  pairs_.reset(static_cast<int>(pairs.size()));
   for (int k = 0; k < pairs_.size(); ++k) {
     pairs_.set_pair(k, pairs[k].key, clumps);
     pairs_.remember(k, pairs[k].memory);
   }
   wall_segments_.assign(n_walls, {});
-  wall_lanes_.resize(0);
+  int n = 0;
   auto contact = at_walls.begin();
-  int next = 0;
   for (int w = 0; w < n_walls; ++w) {
-    next = padded(next);
-    wall_segments_[w].begin = next;
-    for (; contact != at_walls.end() && contact->key.j == w; ++contact, ++next) {
-      wall_lanes_.resize(next + 1);
-      wall_lanes_.set_wall(next, contact->key, clumps);
-      wall_lanes_.remember(next, contact->memory);
-    }
-    wall_segments_[w].end = next;
+    const int begin = padded(n);
+    for (n = begin; contact != at_walls.end() && contact->key.j == w; ++contact) ++n;
+    wall_segments_[w] = {begin, n};
   }
+  wall_lanes_.reset(n);
+  contact = at_walls.begin();
+  for (const WallSegment& segment : wall_segments_)
+    for (int k = segment.begin; k < segment.end; ++k, ++contact) {
+      wall_lanes_.set_wall(k, contact->key, clumps);
+      wall_lanes_.remember(k, contact->memory);
+    }
   invalidate();
 }
 } // namespace interlock::dem

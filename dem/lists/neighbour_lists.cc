@@ -14,8 +14,10 @@ namespace bg = boost::geometry;
 using BoostPoint = bg::model::point<double, 3, bg::cs::cartesian>;
 using BoostBox = bg::model::box<BoostPoint>;
 
-// Skins last about this many steps at the present speed.
-constexpr double inner_steps = 60, middle_steps = 400, outer_steps = 3000;
+// Skins last about this many steps at the present speed, the inner ones at the present
+// acceleration, too, and for fewer steps where that would mean too many lanes.
+constexpr double most_inner_steps = 100, least_inner_steps = 25, middle_steps = 400,
+                 outer_steps = 3000;
 // In units of the mean bounding radius of the clumps.
 constexpr double inner_least = 8e-5, inner_widest = 1e-2, middle_least = 0.005,
                  middle_widest = 0.08, outer_least = 0.16, outer_widest = 0.6;
@@ -49,22 +51,29 @@ void NeighbourLists::choose_sizes(const Clumps& clumps)
   outer_most_ = std::max(outer_widest * mean, 2 * middle_most_);
 }
 
-void NeighbourLists::update(const Clumps& clumps, const std::vector<Wall>& walls, double dt)
+bool NeighbourLists::update(const Clumps& clumps, const std::vector<Wall>& walls, double dt,
+                            double gravity)
 {
   if (clumps.size() == 0) {
-    pairs_.resize(0);
-    wall_lanes_.resize(0);
+    pairs_.reset(0);
+    wall_lanes_.reset(0);
     wall_segments_.assign(walls.size(), {0, 0});
     valid_ = false;
-    return;
+    return true;
   }
-  if (valid_ && inner_holds(clumps, walls)) return;
+  if (valid_ && inner_holds(clumps, walls)) return false;
 
   walk_.take_shapes(clumps.shapes());
   choose_sizes(clumps);
   speed_.resize(clumps.size());
-  for (int i = 0; i < clumps.size(); ++i)
-    speed_[i] = clumps.velocity[i].norm() + clumps.spin[i].norm() * clumps.member_reach(i);
+  acceleration_.resize(clumps.size());
+  for (int i = 0; i < clumps.size(); ++i) {
+    const double reach = clumps.member_reach(i);
+    speed_[i] = clumps.velocity[i].norm() + clumps.spin[i].norm() * reach;
+    const Vector3 fall = clumps.force[i] * clumps.inverse_mass[i] - gravity * Vector3::UnitZ();
+    const double turning = clumps.torque[i].norm() * clumps.inverse_inertia[i].maxCoeff();
+    acceleration_[i] = fall.norm() + turning * reach;
+  }
   choose_inner_skins(clumps, walls, dt);
   if (valid_) middle_.measure(clumps, middle_used_);
   if (!valid_ || !middle_holds(walls)) build_middle(clumps, walls, dt);
@@ -76,6 +85,7 @@ void NeighbourLists::update(const Clumps& clumps, const std::vector<Wall>& walls
   counts_.lanes = pairs_.size();
   valid_ = true;
   adapt();
+  return true;
 }
 
 bool NeighbourLists::inner_holds(const Clumps& clumps, const std::vector<Wall>& walls)
@@ -90,8 +100,11 @@ void NeighbourLists::choose_inner_skins(const Clumps& clumps, const std::vector<
                                         double dt)
 {
   next_inner_skin_.resize(clumps.size());
+  // A stone that trembles has hardly any speed where it turns, but is soon away.
+  const double time = inner_steps_ * dt;
   for (int i = 0; i < clumps.size(); ++i)
-    next_inner_skin_[i] = std::clamp(inner_steps * dt * speed_[i], inner_rest_, inner_most_);
+    next_inner_skin_[i] = std::clamp(time * speed_[i] + 0.5 * time * time * acceleration_[i],
+                                     inner_rest_, inner_most_);
   if (at_walls_.size() != walls.size()) {
     at_walls_.resize(walls.size());
     valid_ = false;
@@ -99,8 +112,7 @@ void NeighbourLists::choose_inner_skins(const Clumps& clumps, const std::vector<
   for (std::size_t w = 0; w < walls.size(); ++w) {
     at_walls_[w].inner_reference = walls[w].corner;
     const double speed = walls[w].velocity.norm();
-    at_walls_[w].inner_skin =
-        speed > 0 ? std::clamp(inner_steps * dt * speed, inner_rest_, inner_most_) : 0;
+    at_walls_[w].inner_skin = speed > 0 ? std::clamp(time * speed, inner_rest_, inner_most_) : 0;
   }
 }
 
@@ -273,14 +285,17 @@ void NeighbourLists::adapt()
   const double lanes = pairs_.size() + 100.;
   if (settings_.middle_skin == 0) {
     const double ratio = candidates_.size() / lanes, widest = middle_least * size_;
-    if (ratio > 6 && middle_rest_ > 3 * inner_rest_) middle_rest_ *= 0.9;
-    if (ratio < 3) middle_rest_ = std::min(1.1 * middle_rest_, widest);
+    if (ratio > 12 && middle_rest_ > 3 * inner_rest_) middle_rest_ *= 0.9;
+    if (ratio < 5) middle_rest_ = std::min(1.1 * middle_rest_, widest);
   }
   if (settings_.inner_skin == 0) {
-    double touching = 100;
-    for (int k = 0; k < pairs_.size(); ++k) touching += pairs_.overlap[k] > 0;
-    if (lanes > 1.5 * touching && inner_rest_ > 0.1 * inner_least * size_) inner_rest_ *= 0.9;
+    const double touching = 100. + count_touching(pairs_);
+    if (lanes > 1.5 * touching) {
+      inner_rest_ = std::max(0.9 * inner_rest_, 0.1 * inner_least * size_);
+      inner_steps_ = std::max(0.9 * inner_steps_, least_inner_steps);
+    }
     if (lanes < 1.25 * touching) inner_rest_ = std::min(1.1 * inner_rest_, inner_least * size_);
+    if (lanes < 1.4 * touching) inner_steps_ = std::min(1.1 * inner_steps_, most_inner_steps);
   }
 }
 } // namespace interlock::dem

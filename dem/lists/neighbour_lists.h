@@ -29,15 +29,17 @@ public:
   void set(const ListSettings& settings);
 
   // Makes the lanes complete for the present poses; rebuilds only what has expired. `time_step`
-  // chooses skins that last some tens of steps at the present speeds [s].
-  void update(const Clumps& clumps, const std::vector<Wall>& walls, double time_step);
+  // [s] and `gravity` (along -z) [m/s2] choose skins that last some tens of steps at the present
+  // speeds and forces. Returns whether there are new lanes.
+  bool update(const Clumps& clumps, const std::vector<Wall>& walls, double time_step,
+              double gravity);
 
   // Forces a full rebuild at the next update, keeping the histories.
   void invalidate() { valid_ = false; }
   // After clumps were removed: drops their contacts and renumbers the others.
-  void renumber_clumps(const std::vector<int>& new_index);
+  void renumber_clumps(const Clumps& clumps, const std::vector<int>& new_index);
   // After walls were removed: for every old wall the new index, ascending, or -1.
-  void renumber_walls(const std::vector<int>& new_index);
+  void renumber_walls(const Clumps& clumps, const std::vector<int>& new_index);
   // Goes on from contacts of an earlier run, pairs and walls in the order of the lanes below.
   struct Remembered {
     ContactKey key;
@@ -87,6 +89,7 @@ private:
   void mark(const Clumps& clumps, const std::vector<Wall>& walls, double dt);
   void walk_clump_pairs(const Clumps& clumps);
   void walk_walls(const Clumps& clumps, const std::vector<Wall>& walls);
+  void append_keys(const ContactLanes& old, WallSegment from);
   void build_pair_lanes(const Clumps& clumps);
   void build_wall_lanes(const Clumps& clumps, const std::vector<Wall>& walls);
   void adapt();
@@ -96,10 +99,12 @@ private:
   // Smallest and largest skins [m], from the mean bounding radius.
   double inner_rest_ = 0, inner_most_ = 0, middle_rest_ = 0, middle_most_ = 0, outer_rest_ = 0,
          outer_most_ = 0;
-  double size_ = 0; // mean bounding radius that the above belong to [m]
+  double inner_steps_ = 70; // that inner skins are meant to last
+  double size_ = 0;         // mean bounding radius that the above belong to [m]
   ListReference outer_, middle_, inner_;
   ScalarField middle_used_, next_inner_skin_;
-  ScalarField speed_; // bound on the speed of any member centre, at the last build [m/s]
+  // Bounds for any member centre, at the last build [m/s], [m/s2].
+  ScalarField speed_, acceleration_;
   std::vector<bool> marked_, wall_marked_;
 
   std::vector<ClumpPair> clump_pairs_;
@@ -108,7 +113,13 @@ private:
   WallCandidates old_at_wall_;
   SphereWalk walk_;
 
-  std::vector<ContactKey> keys_; // of the lanes being built
+  // Being built: contacts about to touch, and the lanes that are made of them.
+  struct NewLane {
+    ContactKey key;
+    int old = -1; // the lane of the same contact before, -1: none that touched
+  };
+  std::vector<ContactKey> keys_;
+  std::vector<NewLane> new_lanes_;
   ContactLanes pairs_, old_pairs_, wall_lanes_, old_wall_lanes_;
   std::vector<WallSegment> wall_segments_, old_wall_segments_;
   ListCounts counts_;

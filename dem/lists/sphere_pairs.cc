@@ -30,6 +30,18 @@ double SphereWalk::heights(const Members& members, const Vector3& axis)
   return front;
 }
 
+// Without a branch: which of the members are chosen is no rule that a processor could learn.
+int SphereWalk::choose(int n, double least)
+{
+  if (static_cast<int>(chosen_.size()) < n) chosen_.resize(n);
+  int count = 0;
+  for (int k = 0; k < n; ++k) {
+    chosen_[count] = k;
+    count += height_[k] >= least;
+  }
+  return count;
+}
+
 // Along the line of centres only members that reach past the front of the other clump can be near
 // it. Those that are left are thinned by their boxes and tested in pairs.
 void SphereWalk::add_pairs(const Clumps& clumps, int i, int j, double cut,
@@ -44,16 +56,15 @@ void SphereWalk::add_pairs(const Clumps& clumps, int i, int j, double cut,
 
   const Vector3 axis_j = to_i.transpose() * -axis;
   const double front_j = distance - heights(mj, axis_j); // of j towards i, from the centre of i
-  second_.clear();
   const double front_i = heights(mi, axis);
   if (front_i + cut < front_j) return;
-  first_.clear();
-  for (int a = 0; a < mi.centre.size(); ++a)
-    if (height_[a] + cut >= front_j) first_.add(a, mi.centre[a], mi.radius[a]);
+  first_.resize(choose(mi.centre.size(), front_j - cut));
+  for (std::size_t k = 0; k < first_.index.size(); ++k)
+    first_.set(k, chosen_[k], mi.centre[chosen_[k]], mi.radius[chosen_[k]]);
   heights(mj, axis_j);
-  for (int b = 0; b < mj.centre.size(); ++b)
-    if (distance - height_[b] <= front_i + cut)
-      second_.add(b, between + to_i * mj.centre[b], mj.radius[b]);
+  second_.resize(choose(mj.centre.size(), distance - front_i - cut));
+  for (std::size_t k = 0; k < second_.index.size(); ++k)
+    second_.set(k, chosen_[k], between + to_i * mj.centre[chosen_[k]], mj.radius[chosen_[k]]);
 
   Vector3 low, high;
   second_.box(low, high);
@@ -107,19 +118,10 @@ void SphereWalk::add_at_wall(const Clumps& clumps, int i, const Wall& wall, doub
   }
 }
 
-void SphereWalk::Chosen::clear()
+void SphereWalk::Chosen::resize(std::size_t n)
 {
-  index.clear();
-  for (std::vector<double>* values : {&x, &y, &z, &r}) values->clear();
-}
-
-void SphereWalk::Chosen::add(int member, const Vector3& centre, double radius)
-{
-  index.push_back(member);
-  x.push_back(centre[0]);
-  y.push_back(centre[1]);
-  z.push_back(centre[2]);
-  r.push_back(radius);
+  index.resize(n);
+  for (std::vector<double>* values : {&x, &y, &z, &r}) values->resize(n);
 }
 
 void SphereWalk::Chosen::pad()
@@ -131,27 +133,34 @@ void SphereWalk::Chosen::pad()
 
 void SphereWalk::Chosen::box(Vector3& low, Vector3& high) const
 {
-  low.setConstant(1e300);
-  high.setConstant(-1e300);
-  for (std::size_t k = 0; k < index.size(); ++k) {
-    const Vector3 centre(x[k], y[k], z[k]);
-    low = low.cwiseMin(centre - Vector3::Constant(r[k]));
-    high = high.cwiseMax(centre + Vector3::Constant(r[k]));
-  }
+  const auto extent = [&](const std::vector<double>& centre, double& least, double& most) {
+    const double *c = centre.data(), *radius = r.data();
+    double from = 1e300, to = -1e300;
+#pragma omp simd reduction(min : from) reduction(max : to)
+    for (std::size_t k = 0; k < index.size(); ++k) {
+      const double begin = c[k] - radius[k], end = c[k] + radius[k];
+      from = from < begin ? from : begin;
+      to = to > end ? to : end;
+    }
+    least = from;
+    most = to;
+  };
+  extent(x, low[0], high[0]);
+  extent(y, low[1], high[1]);
+  extent(z, low[2], high[2]);
 }
 
 void SphereWalk::Chosen::keep_reaching(const Vector3& low, const Vector3& high)
 {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < index.size(); ++k) {
-    const bool reaches = x[k] + r[k] >= low[0] && x[k] - r[k] <= high[0] && y[k] + r[k] >= low[1] &&
-                         y[k] - r[k] <= high[1] && z[k] + r[k] >= low[2] && z[k] - r[k] <= high[2];
-    if (!reaches) continue;
+    const double xk = x[k], yk = y[k], zk = z[k], rk = r[k];
+    const bool reaches = (xk + rk >= low[0]) & (xk - rk <= high[0]) & (yk + rk >= low[1]) &
+                         (yk - rk <= high[1]) & (zk + rk >= low[2]) & (zk - rk <= high[2]);
     index[kept] = index[k];
-    x[kept] = x[k], y[kept] = y[k], z[kept] = z[k], r[kept] = r[k];
-    ++kept;
+    x[kept] = xk, y[kept] = yk, z[kept] = zk, r[kept] = rk;
+    kept += reaches;
   }
-  index.resize(kept);
-  for (std::vector<double>* values : {&x, &y, &z, &r}) values->resize(kept);
+  resize(kept);
 }
 } // namespace interlock::dem

@@ -37,8 +37,12 @@ private:
     std::vector<int> index;
     std::vector<double> x, y, z, r;
 
-    void clear();
-    void add(int member, const Vector3& centre, double radius);
+    void resize(std::size_t n);
+    void set(std::size_t k, int member, const Vector3& centre, double radius)
+    {
+      index[k] = member;
+      x[k] = centre[0], y[k] = centre[1], z[k] = centre[2], r[k] = radius;
+    }
     void pad(); // with spheres that are near nothing
     // Drops what does not reach the box from `low` to `high`.
     void keep_reaching(const Vector3& low, const Vector3& high);
@@ -48,10 +52,14 @@ private:
   // Front of the members along `axis` (body frame): height[k] = axis . centre + radius; returns the
   // largest.
   double heights(const Members& members, const Vector3& axis);
+  // Puts those of the first n members that are at least as high as `least` to the begin of chosen_,
+  // ascending; returns how many.
+  int choose(int n, double least);
   void test_all(double cut, std::vector<NearSpheres>& near);
 
   std::vector<Members> members_; // of the shapes
   std::vector<double> height_;
+  std::vector<int> chosen_;
   Chosen first_, second_;
 };
 } // namespace interlock::dem

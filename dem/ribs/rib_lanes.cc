@@ -189,12 +189,12 @@ void evaluate(const SubcycledClumps& clumps, const RibSet& ribs, const Law& law_
     const Lane3 of_rod =
         n1 * motion.v1 + n2 * motion.v2 + cross(spin_of_rod(near, turning, motion), arm);
     const Lane3 relative = (velocity.get(i) + cross(w, stone_arm)) - of_rod;
-    const double twist = 0.5 * h * dot(w + n1 * motion.w1 + n2 * motion.w2, near.normal);
+    const Lane3 turn = 0.5 * h * (w + n1 * motion.w1 + n2 * motion.w2);
 
     const ContactConstants constants{reduced_mass, std::sqrt(reduced_mass), radius[k]};
     LaneHistory history{spring.get(k), dashpot.get(k), overlap[k], stiffness[k]};
     LaneEnergy energy;
-    const Lane3 force = contact_force<false>(law, constants, depth[k], near.normal, relative, twist,
+    const Lane3 force = contact_force<false>(law, constants, depth[k], near.normal, relative, turn,
                                              {}, h, history, energy);
     spring.set(k, history.spring);
     dashpot.set(k, history.dashpot);
@@ -205,9 +205,7 @@ void evaluate(const SubcycledClumps& clumps, const RibSet& ribs, const Law& law_
     damping[k] = energy.damping;
 
     // The part that comes from the lean acts at the sphere's centre, on which the overlap depends.
-    double elastic_force, unused_k, unused_n, unused_t;
-    law.at(history.overlap, constants, elastic_force, unused_k, unused_n, unused_t);
-    const Lane3 lean = elastic_force * near.lean;
+    const Lane3 lean = law.at(history.overlap, constants).force * near.lean;
     const Lane3 push = force + lean;
     xi[k] = near.xi;
     point_rows.set(k, point);

@@ -169,8 +169,7 @@ void MeshContacts::match(const MeshWall& wall, const Clumps& clumps, MeshContact
 void MeshContacts::touch(MeshContact& c, const Vector3& relative, Clumps& clumps, MeshWall& wall,
                          double time_step, ContactEnergy& energy)
 {
-  rotate_spring(c.history.spring, c.normal,
-                0.5 * time_step * (clumps.step_spin[c.i] + wall.spin).dot(c.normal));
+  rotate_spring(c.history.spring, c.normal, 0.5 * time_step * (clumps.step_spin[c.i] + wall.spin));
   c.force = linear_contact_force(wall.contact, clumps.mass[c.i], c.depth - c.shared, c.normal,
                                  relative, time_step, c.history, energy);
   clumps.force[c.i] += c.force;

@@ -152,7 +152,7 @@ TEST(ContactLaw, SpringTurnsWithTheContact)
     const double angle = 2 * M_PI / steps;
     for (int n = 1; n <= steps; ++n) {
       const Vector3 normal = Eigen::AngleAxisd(n * angle, axis) * Vector3(0, 0, 1);
-      rotate_spring(spring, normal, angle * axis.dot(normal));
+      rotate_spring(spring, normal, angle * axis);
       const Vector3 exact = Eigen::AngleAxisd(n * angle, axis) * first;
       ASSERT_LT((spring - exact).norm(), 1e-3 * first.norm()) << "step " << n;
     }
