@@ -3,7 +3,7 @@
 stiffness, flexible with Hertz contacts of the ribs' material, rigid; all from the same packed state.
 
     python3 tests/performance/coupled_step.py [--rounds 5] [--core 0] [--folder results/coupled_step]
-    python3 tests/performance/coupled_step.py --spheres 40,135,500     cost against spheres a stone
+    python3 tests/performance/coupled_step.py --spheres 40,135,500,2000      cost against spheres a stone
 
 Ratios are of neighbours in time, because the speed of a machine drifts. The packed state is made once a folder (one
 to two minutes, more with more spheres). INTERLOCK names another program than build/release/bin/interlock.
@@ -24,11 +24,20 @@ VARIANTS = {"paper": [PAPER, "Geogrid/Rigid=false"], "material": [MATERIAL, "Geo
 QUIET = ["Output/Report=false", "Output/Field frames=0"]
 
 
-def spheres(count):
+def fine_stones(folder):
+    """The case's stones on meshes of some 20,000 nodes, enough for 2000 spheres."""
+    if not os.path.exists(folder):
+        done = subprocess.run([INTERLOCK, "stones", "--count", "41", "--spacing", "0.0005", "-o", folder],
+                              capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit("interlock failed: " + done.stderr.strip())
+    return os.path.abspath(folder)
+
+
+def spheres(count, stones):
     """Entries that give stones of about this many spheres, whole ones."""
-    if count == 135:
-        return []  # as the case has them
-    return ["Stones/D min=0.0002", "Stones/R min=0.0004", "Stones/P max=100", "Stones/Max spheres=%d" % count]
+    return ["Stones/Folder=" + stones, "Stones/Length unit=1", "Stones/D min=0.00005", "Stones/R min=0.0004",
+            "Stones/P max=100", "Stones/Max spheres=%d" % count]
 
 
 def run(folder, core, settings):
@@ -73,8 +82,12 @@ def main():
     arguments = parser.parse_args()
     if not os.access(INTERLOCK, os.X_OK):
         sys.exit("There is no program '%s': run 'make build' first." % INTERLOCK)
-    counts = [int(n) for n in arguments.spheres.split(",")] if arguments.spheres else [135]
-    cases = [(n, os.path.join(arguments.folder, str(n)), spheres(n)) for n in counts]
+    if arguments.spheres:
+        stones = fine_stones(os.path.join(arguments.folder, "stones"))
+        cases = [(n, os.path.join(arguments.folder, str(n)), spheres(n, stones))
+                 for n in map(int, arguments.spheres.split(","))]
+    else:
+        cases = [("case's", os.path.join(arguments.folder, "case"), [])]
     states = {n: packed(folder, arguments.core, more) for n, folder, more in cases}
     variants = list(VARIANTS) if not arguments.spheres else ["material"]
 
@@ -88,7 +101,7 @@ def main():
               ", ".join("%s %.1f us" % (" ".join(map(str, key)), values[-1]) for key, values in times.items()),
               flush=True)
 
-    base = (counts[0], variants[-1])
+    base = (cases[0][0], variants[-1])
     print("\n%-10s %-10s %-9s %-22s %s" % ("spheres", "ribs", "sub-steps", "us a step",
                                            "over %s %s" % base))
     for key, values in times.items():

@@ -44,7 +44,8 @@ def interlock(case, folder, warm, steps, core, *settings):
     settings = ["Time/Warm-up steps=%d" % warm, "Time/Timed steps=%d" % steps, *settings]
     if case in STILL:
         settings += ["Packing/Hold still=false", "Time/Step=%g" % STILL[case]]
-    command = ["taskset", "-c", core, INTERLOCK, "run", os.path.join(CASES, case + ".prm"), "-o", folder]
+    command = ["taskset", "-c", core, INTERLOCK, "run", os.path.join(CASES, case + ".prm"), "--force", "-o", folder]
+    command += ["--unusual"] if case in STILL else []  # the step
     for setting in settings:
         command += ["--set", setting]
     run = subprocess.run(command, capture_output=True, text=True)
