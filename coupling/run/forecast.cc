@@ -11,7 +11,7 @@ std::int64_t Forecast::steps(const StageForecast& stage) const
 
 double Forecast::time(const StageForecast& stage) const
 {
-  const double per_step = 1.2e-9 * stage.mean_spheres + (stage.has_flexible_ribs ? 35e-6 : 0);
+  const double per_step = 1e-9 * stage.mean_spheres + (stage.has_flexible_ribs ? 28e-6 : 0);
   return static_cast<double>(steps(stage)) * per_step;
 }
 
