@@ -136,7 +136,7 @@ TEST_F(CheckpointFile, HasAHole)
   expect_refused(bytes, {"is damaged"});
 }
 
-// A whole file of a later program, with checksums that are right.
+// A whole file of an earlier or a later program, with checksums that are right.
 TEST_F(CheckpointFile, HasAnotherFormat)
 {
   const std::string good = good_bytes(), data = good.substr(512);
@@ -148,9 +148,11 @@ TEST_F(CheckpointFile, HasAnotherFormat)
     return block + checksum(block) + '\n' + data;
   };
   ASSERT_EQ(with_format(std::to_string(state_format)), good); // this is how blocks are made
-  for (const std::string format : {"0", "2", "17"})
+  for (const int other : {0, state_format - 1, state_format + 1, 17}) {
+    const std::string format = std::to_string(other);
     expect_refused(with_format(format),
                    {"the format " + format, "reads format " + std::to_string(state_format)});
+  }
 }
 
 TEST_F(CheckpointFile, OffersTheOneBefore)
