@@ -14,7 +14,7 @@ target_compile_options(interlock_options INTERFACE
   $<$<CONFIG:Release>:-O3> $<$<CONFIG:Debug>:-O1> -g1)
 if(INTERLOCK_NATIVE)
   target_compile_options(interlock_options INTERFACE -march=native)
-  # The contact law reads the state of two clumps for each lane. Single loads beat gather instructions,
+  # Loops over contacts with ribs read the state of a clump for each lane. Single loads beat gather instructions,
   # and full registers beat halves (docs/performance.md).
   include(CheckCXXCompilerFlag)
   foreach(flag -mprefer-vector-width=512 -mtune-ctrl=^use_gather)

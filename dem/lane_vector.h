@@ -1,7 +1,7 @@
 // A vector of three numbers for code that runs in vector lanes: the compiler takes it apart into
 // scalars, which it cannot do with Eigen's vectors. The number is a double in loops that the
-// compiler runs in vectors, or a bundle of lanes (bodies/wide.h). World frame unless said
-// otherwise.
+// compiler runs in vectors, a bundle of lanes (bodies/wide.h), or four lanes (lanes/quads.h). World
+// frame unless said otherwise.
 #pragma once
 
 #include "dem/vector.h"

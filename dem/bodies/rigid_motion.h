@@ -14,7 +14,8 @@ INTERLOCK_LANE LaneVector<Number> spin_from_momentum(LaneQuaternionOf<Number> q,
   return rotate(q, componentwise(inverse_inertia, rotate(conjugate(q), momentum)));
 }
 
-// Quaternion of the rotation vector 2 `half` (world axes). Series instead of library functions,
+// Quaternion of the rotation vector 2 `half`: a factor on the left for world axes, on the right for
+// axes of the body. Series instead of library functions,
 // without a branch: exact to rounding up to |half| = 0.2, wrong by 1e-12 at 0.5 and 2e-9 at 1.
 template <class Number>
 INTERLOCK_LANE LaneQuaternionOf<Number> rotation_step(LaneVector<Number> half)

@@ -35,8 +35,10 @@ TangentStiffness tangent_stiffness(const ContactProperties& pair, double overlap
 }
 
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
-                     double spring, const ContactShare& share)
+                     double spring, const ContactShare& last_share)
 {
+  // A share may be left over from before the properties were changed.
+  const ContactShare share = pair.share_among_contacts ? last_share : ContactShare();
   const double depth = share.depth > 0 ? share.depth : overlap;
   const double root = std::sqrt(reduced_radius * depth);
   const bool linear = pair.model == ContactModel::linear;

@@ -62,7 +62,8 @@ template <class Number> struct ShareOf {
 };
 using ContactShare = ShareOf<double>;
 
-// Energy in the springs of one contact [J]: normal `overlap` > 0 [m], tangential `spring` [m].
+// Energy in the springs of one contact [J]: normal `overlap` > 0 [m], tangential `spring` [m]. The
+// share counts if contacts of this pair share anything.
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
                      double spring, const ContactShare& share);
 
@@ -267,7 +268,7 @@ contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
   history.spring = held;
   history.dashpot = dashpot;
   history.overlap = depth;
-  if constexpr (stiffness_changes) history.tangential_stiffness = k_t;
+  history.tangential_stiffness = k_t; // of every law: the next one may be another
   return f_n * normal - against;
 }
 

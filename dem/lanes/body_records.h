@@ -30,10 +30,10 @@ private:
   std::vector<BodyRecord> records_;
 };
 
-// Forces and their moments about the world's origin, clump by clump. Two sums a clump: of the
-// contacts in which it is the first body, which lie one behind the other and are added in
-// registers, and of all others in the order of the calls. Lists therefore change no digit: lanes
-// that do not touch add zeros.
+// Forces and their moments about the world's origin, clump by clump. Two sums a clump: of the pairs
+// in which it is the first body, which lie one behind the other and are added in registers, and of
+// all other contacts, those at walls among them, in the order of the calls. Lists therefore change
+// no digit: lanes that do not touch add zeros.
 class BodySums
 {
 public:
@@ -42,8 +42,8 @@ public:
     Quad first_force{}, first_moment{}, other_force{}, other_moment{};
   };
 
-  // Zero for n clumps. To be called whenever there are new lanes: a clump which is the first body
-  // of none keeps the sum that it has as such.
+  // Zero for n clumps. To be called whenever there are new lanes: the sum as first body is
+  // overwritten by the clump's lanes and never cleared, so it would outlive them.
   void clear(int n);
   Sum* data() { return sums_.data(); }
 

@@ -77,7 +77,7 @@ INTERLOCK_LANE void apply_law(const Law& law, double dt, const LaneGeometry& geo
   store(block.spring, history.spring);
   store(block.dashpot, history.dashpot);
   history.overlap.store(block.overlap);
-  if constexpr (stiffness_changes) history.tangential_stiffness.store(block.tangential_stiffness);
+  history.tangential_stiffness.store(block.tangential_stiffness);
   store(block.force, force);
   store(out.moment, cross(contact.point, force));
   energy.friction.store(out.friction);
@@ -102,12 +102,13 @@ INTERLOCK_LANE Quad kept_where(std::int64_t bits, Quad a)
   return reinterpret_cast<Quad>(reinterpret_cast<Bits>(a) & Bits{bits, bits, bits, bits});
 }
 
-// Sums of the run of lanes with the same first clump.
-struct Run {
+// Sum over several lanes, energies in the fourth numbers.
+struct WrenchSum {
   Quad force{}, moment{};
 };
 
-INTERLOCK_LANE void add_pairs(const LaneBlock& block, const LaneMoments& moments, Run& run,
+// `run`: the sum over the run of lanes with the same first clump, so far.
+INTERLOCK_LANE void add_pairs(const LaneBlock& block, const LaneMoments& moments, WrenchSum& run,
                               BodySums::Sum* sums)
 {
   for (int l = 0; l < lane_width; l += 4) {
@@ -125,8 +126,8 @@ INTERLOCK_LANE void add_pairs(const LaneBlock& block, const LaneMoments& moments
   }
 }
 
-INTERLOCK_LANE void add_at_wall(const LaneBlock& block, const LaneMoments& moments, Run& on_stones,
-                                BodySums::Sum* sums)
+INTERLOCK_LANE void add_at_wall(const LaneBlock& block, const LaneMoments& moments,
+                                WrenchSum& on_stones, BodySums::Sum* sums)
 {
   for (int l = 0; l < lane_width; l += 4) {
     const Wrenches w(block, moments, l);
@@ -192,7 +193,7 @@ void evaluate_pairs(const BodyRecords& bodies, const ContactProperties& pair, do
     measure(blocks, n, place);
     share_contacts(0, lanes.size(), lanes);
   }
-  Run run;
+  WrenchSum run;
   with_law(pair, [&](auto shared, const auto& law) {
     run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
                                         [&](const LaneBlock& block, const LaneMoments& moments) {
@@ -214,7 +215,7 @@ void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, Co
     measure(blocks, n, place);
     share_contacts(segment.begin, segment.end, lanes);
   }
-  Run on_stones;
+  WrenchSum on_stones;
   with_law(wall.contact, [&](auto shared, const auto& law) {
     run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
                                         [&](const LaneBlock& block, const LaneMoments& moments) {

@@ -6,7 +6,7 @@ namespace interlock::dem
 {
 namespace
 {
-// Two points a metre apart, the first with a radius that no overlap comes of.
+// The first sphere has a radius of -1 km and overlaps nothing, wherever its bodies are.
 LaneBlock idle_block()
 {
   LaneBlock idle = {};

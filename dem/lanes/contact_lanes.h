@@ -33,8 +33,9 @@ struct alignas(64) LaneBlock {
   // has the same i, none otherwise.
   std::int32_t i[lane_width], j[lane_width];
   std::int64_t same_first[lane_width];
-  // Of laws whose stiffness changes: Hertz's radius, LaneHistory, ContactShare of this step.
-  Row reduced_radius, tangential_stiffness, shared_depth, gradient;
+  Row reduced_radius;         // ContactConstants, of Hertz's law [m]
+  Row tangential_stiffness;   // LaneHistory, read by laws whose stiffness changes [N/m]
+  Row shared_depth, gradient; // ContactShare of the last evaluation with a shared law
 };
 
 class ContactLanes
@@ -72,11 +73,12 @@ private:
 };
 
 // Forces and new histories of all lanes, from the records of the clumps (their poses and the step's
-// motion); adds forces and torques to `sums`. `dt`: step over which springs advance [s].
+// motion), into `sums`: those of first bodies are set, those of second bodies added to, with the
+// energies that the step has cost. `dt`: step over which springs advance [s].
 void evaluate_pairs(const BodyRecords& bodies, const ContactProperties& pair, double dt,
                     ContactLanes& lanes, BodySums& sums);
-// The same for the lanes of one wall, whose force is set, too. Friction and damping are added to
-// `energy`.
+// The same for the lanes of one wall, whose force is set, too; the clumps' sums as other bodies are
+// added to. Friction and damping are added to `energy`.
 void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, ContactLanes& lanes,
                    BodySums& sums, Wall& wall, ContactEnergy& energy);
 

@@ -35,7 +35,10 @@ struct FourQuads {
         c(load_quad(bodies[i[2]].*member)), d(load_quad(bodies[i[3]].*member))
   {
   }
-  INTERLOCK_LANE FourQuads(Quad w, Quad x, Quad y, Quad z) : a(w), b(x), c(y), d(z) {}
+  INTERLOCK_LANE FourQuads(Quad first, Quad second, Quad third, Quad fourth)
+      : a(first), b(second), c(third), d(fourth)
+  {
+  }
   INTERLOCK_LANE friend FourQuads operator-(const FourQuads& p, const FourQuads& q)
   {
     return {p.a - q.a, p.b - q.b, p.c - q.c, p.d - q.d};

@@ -35,7 +35,7 @@ INTERLOCK_LANE std::array<Quad, 4> transposed(Quad a, Quad b, Quad c, Quad d)
           __builtin_shufflevector(ab13, cd13, 2, 3, 6, 7)};
 }
 
-// (x, y, z, w) of four lanes from row to row.
+// Four lanes out of four rows: quad k is (x[k], y[k], z[k], w[k]).
 INTERLOCK_LANE std::array<Quad, 4> lanes_to_quads(const double* x, const double* y, const double* z,
                                                   const double* w)
 {

@@ -49,7 +49,7 @@ public:
                const std::vector<Remembered>& at_walls);
 
   // Sorted by (i, j, a, b); and by (wall, i, a), one segment for each wall. Forces are summed in
-  // this order, so a clump adds its partners in ascending order.
+  // this order, apart for a clump as first and as second body (BodySums).
   ContactLanes& pair_lanes() { return pairs_; }
   const ContactLanes& pair_lanes() const { return pairs_; }
   ContactLanes& wall_lanes() { return wall_lanes_; }

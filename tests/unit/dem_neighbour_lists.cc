@@ -208,3 +208,45 @@ TEST(NeighbourLists, RemovalKeepsTheHistoryOfTheOthers)
   ASSERT_GT(before.size(), 10u);
   EXPECT_EQ(before, after);
 }
+
+// Properties change between steps, as for a run that starts from a packed state: springs that a law
+// of constant stiffness has loaded go on under one whose stiffness changes, and what is stored is
+// what the present law stores, not what an earlier one shared.
+TEST(ContactMemory, SurvivesAnotherLaw)
+{
+  const std::vector<crowd::Law> laws = crowd::laws();
+  const auto named = [&](const std::string& name) {
+    return std::find_if(laws.begin(), laws.end(), [&](const auto& law) { return law.name == name; })
+        ->pair;
+  };
+  const auto springs = [](const Engine& engine) {
+    double sum = 0;
+    for (const SphereContact& c : engine.sphere_contacts()) sum += c.history.spring.norm();
+    for (const WallContact& c : engine.wall_contacts()) sum += c.history.spring.norm();
+    return sum;
+  };
+  for (const auto& [before, after] : {std::pair{"Linear", "LinearShared"},
+                                      {"LinearShared", "Linear"},
+                                      {"Linear", "HertzMindlin"}}) {
+    Engine engine = crowd::thrown(5, named(before)).engine;
+    for (int n = 0; n < 1500; ++n) engine.step(crowd::time_step);
+    engine.compute_forces(crowd::time_step);
+    const double held = springs(engine);
+    ASSERT_GT(held, 0);
+    const ContactProperties pair = named(after);
+    engine.stone_contact() = pair;
+    for (Wall& wall : engine.walls()) wall.contact = pair;
+    engine.compute_forces(crowd::time_step);
+    EXPECT_GT(springs(engine), 0.2 * held) << before << " to " << after;
+
+    if (pair.model != ContactModel::linear || pair.share_among_contacts) continue;
+    double stored = 0;
+    const auto add = [&](const auto& c) {
+      stored += 0.5 * pair.normal_stiffness * c.overlap * c.overlap +
+                0.5 * pair.tangential_stiffness * c.history.spring.squaredNorm();
+    };
+    for (const SphereContact& c : engine.sphere_contacts()) add(c);
+    for (const WallContact& c : engine.wall_contacts()) add(c);
+    EXPECT_NEAR(engine.energy(crowd::time_step).contact.elastic, stored, 1e-9 * stored);
+  }
+}

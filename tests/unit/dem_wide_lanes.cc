@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 namespace interlock::dem
 {
 namespace
@@ -96,12 +99,21 @@ TEST(WideLanes, HertzMindlinLawInEachLane)
   compare<true>(law);
 }
 
-// The same numbers in all lanes must come out the same to the last bit, whichever lane it is.
+// Out of line, so that the compiler cannot know that lanes are alike.
+[[gnu::noinline]] std::array<Wide, 8> law_of_loaded(const Lanes& lanes)
+{
+  return law_of<false, Wide>(LinearLaw(linear_pair()), wide(lanes.overlap), wide(lanes.was),
+                             wide(lanes.speed), wide(lanes.spring), wide(lanes.turn));
+}
+
+// Four contacts, each in every fourth lane: the same to the last bit, whichever lane it is.
 TEST(WideLanes, NoLaneDiffersFromAnother)
 {
-  const auto same = law_of<false, Wide>(LinearLaw(linear_pair()), 3e-6, 2e-6, 0.03, 4e-7, 1e-3);
-  for (const Wide& number : same)
-    for (const double lane : numbers(number)) EXPECT_EQ(lane, numbers(number)[0]);
+  Lanes lanes = all_kinds();
+  for (Numbers* row : {&lanes.overlap, &lanes.was, &lanes.speed, &lanes.spring, &lanes.turn})
+    for (int l = 4; l < lane_width; ++l) (*row)[l] = (*row)[l % 4];
+  for (const Wide& number : law_of_loaded(lanes))
+    for (int l = 4; l < lane_width; ++l) EXPECT_EQ(numbers(number)[l], numbers(number)[l % 4]);
 }
 
 TEST(WideLanes, AttitudeInEachLane)
