@@ -33,7 +33,8 @@ scans stones export ribs
 generator walls
 lanes
 lists
-engine'
+engine
+parallel'
 floors_of_fem='
 ribs
 beam

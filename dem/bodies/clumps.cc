@@ -73,6 +73,7 @@ int Clumps::add(int new_shape, double density, const Vector3& x, const Quaternio
   const Vector3 moments = density * shapes_[new_shape].unit_inertia;
   mass.push_back(m * one);
   inverse_mass.push_back(1 / m * one);
+  ghost.push_back(0 * one);
   inertia.push_back(moments);
   inverse_inertia.push_back(moments.cwiseInverse());
   member_reach_.push_back(largest_member_distance(shapes_[new_shape]) * one);
@@ -94,11 +95,49 @@ std::vector<int> Clumps::remove(const std::vector<bool>& remove)
   compact(id, remove);
   compact(kind, remove);
   orientation.compact(remove);
-  for (ScalarField* field : {&mass, &inverse_mass, &member_reach_}) field->compact(remove);
+  for (ScalarField* field : {&mass, &inverse_mass, &member_reach_, &ghost}) field->compact(remove);
   for (VectorField* field : {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum,
                              &spin, &drift_velocity, &step_velocity, &step_spin, &force, &torque})
     field->compact(remove);
   return new_index;
+}
+
+ClumpState Clumps::state_of(int i) const
+{
+  ClumpState state;
+  state.id = id[i], state.shape = shape[i], state.kind = kind[i], state.mass = mass[i];
+  state.inertia = inertia[i], state.position = position[i], state.orientation = orientation[i];
+  state.velocity = velocity[i], state.angular_momentum = angular_momentum[i];
+  state.drift_velocity = drift_velocity[i], state.spin = spin[i];
+  state.step_velocity = step_velocity[i], state.step_spin = step_spin[i];
+  state.force = force[i], state.torque = torque[i];
+  state.is_ghost = ghost[i] == 1;
+  return state;
+}
+
+void Clumps::assign(const std::vector<ClumpState>& states)
+{
+  const int n = static_cast<int>(states.size());
+  id.resize(n), shape.resize(n), kind.resize(n);
+  orientation.resize(n);
+  for (ScalarField* field : {&mass, &inverse_mass, &ghost}) field->resize(n);
+  for (VectorField* field : {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum,
+                             &spin, &drift_velocity, &step_velocity, &step_spin, &force, &torque})
+    field->resize(n);
+  for (int i = 0; i < n; ++i) {
+    const ClumpState& s = states[i];
+    id[i] = s.id, shape[i] = s.shape, kind[i] = s.kind;
+    mass[i] = s.mass, inverse_mass[i] = 1 / s.mass, ghost[i] = s.is_ghost ? 1 : 0;
+    inertia[i] = s.inertia, inverse_inertia[i] = s.inertia.cwiseInverse();
+    position[i] = s.position;
+    orientation.set(i, s.orientation);
+    velocity[i] = s.velocity, angular_momentum[i] = s.angular_momentum;
+    drift_velocity[i] = s.drift_velocity, spin[i] = s.spin;
+    step_velocity[i] = s.step_velocity, step_spin[i] = s.step_spin;
+    force[i] = s.force, torque[i] = s.torque;
+  }
+  derive_from_shapes();
+  validate();
 }
 
 int Clumps::index_of(std::int64_t wanted) const
@@ -121,6 +160,7 @@ void Clumps::derive_from_shapes()
 {
   bounding_radius_.clear();
   for (const ClumpShape& s : shapes_) bounding_radius_.push_back(s.bounding_radius());
+  ghost.resize(size());
   member_reach_.resize(0);
   for (const int s : shape) {
     if (s < 0 || s >= static_cast<int>(shapes_.size()))

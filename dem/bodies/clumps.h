@@ -14,6 +14,18 @@ enum class BodyKind {
   surcharge // a load on top of the stones
 };
 
+// Everything that belongs to one clump: how it travels from rank to rank. As the fields of Clumps.
+struct ClumpState {
+  std::int64_t id = -1;
+  int shape = 0;
+  BodyKind kind = BodyKind::stone;
+  double mass = 0;
+  Vector3 inertia, position;
+  Quaternion orientation;
+  Vector3 velocity, angular_momentum, drift_velocity, spin, step_velocity, step_spin, force, torque;
+  bool is_ghost = false;
+};
+
 // One array a quantity, one contiguous row a component; index = clump. Velocities and angular
 // momenta live at half steps (leapfrog): after a kick they belong to the middle of the step that
 // the next drift makes.
@@ -38,6 +50,10 @@ public:
 
   // Adds one more shape (for example the sphere of a surcharge) and returns its index.
   int add_shape(ClumpShape shape);
+
+  ClumpState state_of(int clump) const;
+  // These clumps, ids ascending, instead of those that are there. The next new id stays.
+  void assign(const std::vector<ClumpState>& states);
 
   // Removes the clumps with remove[i] true; the others keep their order. Returns for every old
   // index the new one, or -1.
@@ -82,6 +98,8 @@ public:
   // Mean over the last whole step: what the contacts of the step saw move. Equal to that of the
   // drift, unless the step was made of several drifts and the caller wrote their mean here.
   VectorField step_velocity, step_spin;
+  // 1 for copies of clumps that another rank moves, 0 for those that are moved here.
+  ScalarField ghost;
   VectorField force;  // of this step, without gravity [N]
   VectorField torque; // about the centre of mass [N m]
 

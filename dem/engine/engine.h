@@ -150,6 +150,9 @@ public:
   // compute_forces has the same digits as in the engine that it was taken from.
   ContactMemory memory() const;
   void restore(const ContactMemory& memory);
+  // Goes on with these clumps, ids ascending, and what their contacts remember, instead of those
+  // that are here. For clumps that change ranks: no energy is booked.
+  void replace_clumps(const std::vector<ClumpState>& states, const ContactMemory& memory);
   // Energy in the springs of all contacts with stones and walls at the present poses, for the
   // present properties [J]: what changes when the properties are changed.
   double elastic_energy() const;

@@ -95,6 +95,14 @@ void Engine::restore(const ContactMemory& memory)
   rolling_.restore(std::move(springs));
 }
 
+void Engine::replace_clumps(const std::vector<ClumpState>& states, const ContactMemory& memory)
+{
+  clumps_.assign(states);
+  lists_.invalidate();
+  mesh_contacts_.invalidate();
+  restore(memory);
+}
+
 std::vector<Engine::MeshWallMotion> Engine::mesh_wall_motions() const
 {
   std::vector<MeshWallMotion> motions;

@@ -58,8 +58,10 @@ void BodySums::write(Clumps& clumps, double& fourth_of_force, double& fourth_of_
     Sum* s = &sums_[i];
     Quad f[4], m[4];
     for (int k = 0; k < 4; ++k) {
-      all_force += s[k].first_force;
-      all_moment += s[k].first_moment;
+      // What a contact loses is booked where its first body is moved.
+      const double booked = 1 - clumps.ghost[i + k];
+      all_force += booked * s[k].first_force;
+      all_moment += booked * s[k].first_moment;
       f[k] = s[k].first_force + s[k].other_force;
       m[k] = s[k].first_moment + s[k].other_moment;
       s[k].other_force = s[k].other_moment = Quad{};

@@ -148,8 +148,8 @@ void NeighbourLists::build_middle(const Clumps& clumps, const std::vector<Wall>&
   counts_.candidates = candidates_.size();
 }
 
-// Chooses the clumps and walls that get a new reference: those that have used a good part of their
-// skin, and all of them when nothing can be kept.
+// Chooses the clumps and walls that get a new reference: those that have used more than an eighth
+// of their skin or soon need three quarters of it, and all of them when nothing can be kept.
 void NeighbourLists::mark(const Clumps& clumps, const std::vector<Wall>& walls, double dt)
 {
   const int n = clumps.size();
@@ -208,6 +208,7 @@ void NeighbourLists::build_outer(const Clumps& clumps, double dt)
     for (const Entry& hit : hits) {
       const int j = hit.second;
       if (j <= i) continue;
+      if (clumps.ghost[i] == 1 && clumps.ghost[j] == 1) continue; // another rank's
       const double limit = reach + clumps.bounding_radius(j) + outer_.skin[j];
       if ((clumps.position[j] - clumps.position[i]).squaredNorm() < limit * limit)
         partners.push_back(j);
@@ -260,6 +261,7 @@ void NeighbourLists::walk_walls(const Clumps& clumps, const std::vector<Wall>& w
     auto old = old_at_wall_.clumps.begin();
     for (int i = 0; i < clumps.size(); ++i) {
       while (old != old_at_wall_.clumps.end() && old->i < i) ++old;
+      if (clumps.ghost[i] == 1) continue; // another rank's
       const int first = static_cast<int>(at.near.size());
       if (!marked_[i] && !wall_marked_[w]) {
         if (old == old_at_wall_.clumps.end() || old->i != i) continue;
