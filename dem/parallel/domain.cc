@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -48,6 +49,8 @@ namespace
 {
 // Numbers of a ghost: position, attitude, velocity and spin of the step.
 constexpr int numbers_of_a_ghost = 13;
+// Largest load of a rank over the mean with which cells stay where they are.
+constexpr double fair = 1.05;
 
 template <class T> void append(std::vector<T>& to, const std::vector<T>& from)
 {
@@ -93,6 +96,21 @@ std::vector<int> Domain::ranks_near(const Vector3& x, int cell, double radius) c
   return {ranks.begin(), ranks.end()};
 }
 
+void Domain::share_out_cells(const Clumps& clumps)
+{
+  std::vector<int> cost(grid_.size(), 0);
+  for (int i = 0; i < clumps.size(); ++i)
+    if (clumps.ghost[i] == 0) ++cost[grid_.cell_of(clumps.position[i])];
+  cost = ranks_.sum(cost);
+  if (!owner_.empty()) {
+    std::vector<int> load(ranks_.size(), 0);
+    for (int cell = 0; cell < grid_.size(); ++cell) load[owner_[cell]] += cost[cell];
+    const double mean = std::accumulate(load.begin(), load.end(), 0.) / ranks_.size();
+    if (*std::max_element(load.begin(), load.end()) < fair * mean) return;
+  }
+  owner_ = partition(grid_, cost, ranks_.size());
+}
+
 void Domain::deal(Engine& engine)
 {
   await_answer();
@@ -105,10 +123,7 @@ void Domain::deal(Engine& engine)
     throw std::logic_error("Cells of " + std::to_string(grid_.width()) +
                            " m are too narrow for clumps with a bounding radius of " +
                            std::to_string(largest_) + " m.");
-  std::vector<int> cost(grid_.size(), 0);
-  for (int i = 0; i < clumps.size(); ++i)
-    if (clumps.ghost[i] == 0) ++cost[grid_.cell_of(clumps.position[i])];
-  owner_ = partition(grid_, ranks_.sum(cost), ranks_.size());
+  share_out_cells(clumps);
 
   std::vector<Parcel> parcels(ranks_.size());
   const auto owner_of = [&](std::int64_t id) {

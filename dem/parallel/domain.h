@@ -31,7 +31,8 @@ public:
 
   // Gives every clump that is not a ghost to the rank that owns its cell, with what its contacts
   // remember, and copies to the owners of neighbouring cells. Cells are first shared out anew, by
-  // the number of clumps in them. To be called when ghosts are as their originals are.
+  // the number of clumps in them, if that has become uneven. To be called when ghosts are as their
+  // originals are.
   void deal(Engine& engine);
 
   // Whether the clumps of some rank have moved so far that they should be dealt anew now. To be
@@ -46,6 +47,7 @@ private:
   struct Parcel; // for one rank: clumps and memories
   // Ranks that need a copy of a clump with this bounding radius which is in this cell, ascending.
   std::vector<int> ranks_near(const Vector3& x, int cell, double radius) const;
+  void share_out_cells(const Clumps& clumps);
   void connect(const Clumps& clumps);
   void await_answer();
 
