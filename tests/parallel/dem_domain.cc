@@ -84,7 +84,9 @@ TEST_P(SharedCrowd, HasTheDigitsOfOneRank)
     if (n % 100 == 0) expect_same_digits(shared, alone);
   }
   EXPECT_GT(alone.n_touching_spheres(), 30);
-  if (shared.ranks.size() > 1) EXPECT_GT(shared.deals, 3);
+  if (shared.ranks.size() > 1) {
+    EXPECT_GT(shared.deals, 3);
+  }
   const double friction = alone.energy(crowd::time_step).contact.friction;
   double part = shared.engine.energy(crowd::time_step).contact.friction;
   MPI_Allreduce(MPI_IN_PLACE, &part, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
