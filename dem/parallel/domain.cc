@@ -4,6 +4,7 @@
 #include "dem/parallel/partition.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -51,6 +52,14 @@ namespace
 constexpr int numbers_of_a_ghost = 13;
 // Largest load of a rank over the mean with which cells stay where they are.
 constexpr double fair = 1.05;
+
+std::array<double*, numbers_of_a_ghost> rows_of_a_ghost(Clumps& clumps)
+{
+  VectorField &x = clumps.position, &v = clumps.step_velocity, &w = clumps.step_spin;
+  QuaternionField& q = clumps.orientation;
+  return {x.row(0), x.row(1), x.row(2), q.row(0), q.row(1), q.row(2), q.row(3),
+          v.row(0), v.row(1), v.row(2), w.row(0), w.row(1), w.row(2)};
+}
 
 template <class T> void append(std::vector<T>& to, const std::vector<T>& from)
 {
@@ -250,24 +259,20 @@ void Domain::await_answer()
 void Domain::refresh(Engine& engine)
 {
   Clumps& clumps = engine.clumps();
+  const std::array<double*, numbers_of_a_ghost> rows = rows_of_a_ghost(clumps);
   double* out = to_.numbers.data();
-  for (const int i : to_.clumps) {
-    const Quaternion q = clumps.orientation[i];
-    for (int c = 0; c < 3; ++c) *out++ = clumps.position.row(c)[i];
-    for (int c = 0; c < 4; ++c) *out++ = q.coeffs()[c];
-    for (int c = 0; c < 3; ++c) *out++ = clumps.step_velocity.row(c)[i];
-    for (int c = 0; c < 3; ++c) *out++ = clumps.step_spin.row(c)[i];
-  }
+  for (const int i : to_.clumps)
+    for (const double* row : rows) *out++ = row[i];
   MPI_Neighbor_alltoallv(to_.numbers.data(), to_.lengths.data(), to_.begins.data(), MPI_DOUBLE,
                          from_.numbers.data(), from_.lengths.data(), from_.begins.data(),
                          MPI_DOUBLE, graph_);
   const double* in = from_.numbers.data();
+  for (const int i : from_.clumps)
+    for (double* row : rows) row[i] = *in++;
+  // Lists go by these.
   for (const int i : from_.clumps) {
-    clumps.position[i] = Vector3(in[0], in[1], in[2]);
-    clumps.orientation.set(i, Quaternion(Eigen::Vector4d(in[3], in[4], in[5], in[6])));
-    clumps.step_velocity[i] = clumps.velocity[i] = Vector3(in[7], in[8], in[9]);
-    clumps.step_spin[i] = clumps.spin[i] = Vector3(in[10], in[11], in[12]);
-    in += numbers_of_a_ghost;
+    clumps.velocity[i] = clumps.step_velocity[i];
+    clumps.spin[i] = clumps.step_spin[i];
   }
 }
 } // namespace interlock::dem
