@@ -98,7 +98,8 @@ public:
   // Mean over the last whole step: what the contacts of the step saw move. Equal to that of the
   // drift, unless the step was made of several drifts and the caller wrote their mean here.
   VectorField step_velocity, step_spin;
-  // 1 for copies of clumps that another rank moves, 0 for those that are moved here.
+  // 1 for copies of clumps that another rank moves, 0 for those that are moved here. Not part of a
+  // state: whoever reads one moves all of it.
   ScalarField ghost;
   VectorField force;  // of this step, without gravity [N]
   VectorField torque; // about the centre of mass [N m]

@@ -59,8 +59,6 @@ public:
 
   explicit ByteReader(const Bytes& bytes) : bytes_(bytes) {}
 
-  bool at_end() const { return place_ == bytes_.size(); }
-
   template <class T> void operator()(const char*, T& field, const char* = "")
   {
     if constexpr (bytes::is_number<T>)

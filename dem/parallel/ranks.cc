@@ -10,13 +10,6 @@ Ranks::Ranks(MPI_Comm comm) : comm_(comm)
   MPI_Comm_size(comm_, &size_);
 }
 
-bool Ranks::all(bool mine) const
-{
-  int value = mine ? 1 : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT, MPI_LAND, comm_);
-  return value != 0;
-}
-
 std::vector<int> Ranks::sum(std::vector<int> mine) const
 {
   MPI_Allreduce(MPI_IN_PLACE, mine.data(), static_cast<int>(mine.size()), MPI_INT, MPI_SUM, comm_);

@@ -19,8 +19,6 @@ public:
   int rank() const { return rank_; }
   int size() const { return size_; }
 
-  // Whether the condition holds on every rank. Collective.
-  bool all(bool mine) const;
   // Sums over all ranks, entry by entry. Collective.
   std::vector<int> sum(std::vector<int> mine) const;
   // Sends `to`[r] to each rank r, this one too, and returns what each rank has sent here. Empty
