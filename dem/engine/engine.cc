@@ -25,6 +25,15 @@ double seconds(Clock::time_point from, Clock::time_point to)
          0.5 * clumps.angular_momentum[i].dot(clumps.spin[i]);
 }
 
+// What new lanes remember of a stiffness that is always the same: written here once, since writing
+// it at every evaluation costs 3 % of a step. A contact that goes on under another law needs it.
+void set_constant_stiffness(const ContactProperties& pair, WallSegment range, ContactLanes& lanes)
+{
+  if (pair.model != ContactModel::linear || pair.share_among_contacts) return;
+  for (int k = range.begin; k < range.end; ++k)
+    lanes.block(k).tangential_stiffness[k % lane_width] = pair.tangential_stiffness;
+}
+
 double energy_of(const RollingSpring& spring) // [J]
 {
   return 0.5 * spring.stiffness * spring.angle.squaredNorm();
@@ -119,7 +128,12 @@ void Engine::remove_walls(const std::vector<WallId>& ids)
 void Engine::compute_forces(double dt)
 {
   const auto start = Clock::now();
-  if (lists_.update(clumps_, walls_, dt, gravity_)) sums_.clear(clumps_.size());
+  if (lists_.update(clumps_, walls_, dt, gravity_)) {
+    sums_.clear(clumps_.size());
+    set_constant_stiffness(stone_on_stone_, {0, lists_.pair_lanes().size()}, lists_.pair_lanes());
+    for (std::size_t w = 0; w < walls_.size(); ++w)
+      set_constant_stiffness(walls_[w].contact, lists_.wall_segments()[w], lists_.wall_lanes());
+  }
   const auto listed = Clock::now();
   records_.take(clumps_);
   evaluate_pairs(records_, stone_on_stone_, dt, lists_.pair_lanes(), sums_);

@@ -77,7 +77,8 @@ INTERLOCK_LANE void apply_law(const Law& law, double dt, const LaneGeometry& geo
   store(block.spring, history.spring);
   store(block.dashpot, history.dashpot);
   history.overlap.store(block.overlap);
-  history.tangential_stiffness.store(block.tangential_stiffness);
+  // A constant one stands there since the lanes were made (Engine::compute_forces).
+  if constexpr (stiffness_changes) history.tangential_stiffness.store(block.tangential_stiffness);
   store(block.force, force);
   store(out.moment, cross(contact.point, force));
   energy.friction.store(out.friction);
