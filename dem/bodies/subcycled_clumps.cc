@@ -3,7 +3,7 @@
 #include "dem/bodies/field_rows.h"
 #include "dem/bodies/rigid_motion.h"
 
-#include <cstring>
+#include <algorithm>
 
 namespace interlock::dem
 {
@@ -11,8 +11,7 @@ namespace
 {
 void clear(VectorField& field)
 {
-  for (int c = 0; c < 3; ++c)
-    std::memset(field.row(c), 0, sizeof(double) * static_cast<std::size_t>(field.padded_size()));
+  for (int c = 0; c < 3; ++c) std::fill_n(field.row(c), field.padded_size(), 0.0);
 }
 } // namespace
 
@@ -76,7 +75,7 @@ double SubcycledClumps::move(double h)
   const int n = position.padded_size();
   double* __restrict work = work_.row(0);
   const double* __restrict inverse = inverse_mass.row(0);
-  std::memset(work, 0, sizeof(double) * static_cast<std::size_t>(n));
+  std::fill_n(work, n, 0.0);
   for (int c = 0; c < 3; ++c) {
     const double* __restrict f = force.row(c);
     const double* __restrict t = torque.row(c);
