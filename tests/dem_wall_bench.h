@@ -99,8 +99,7 @@ struct Stage {
   {
     engine.compute_forces(dt);
     contacts.update_list(engine.clumps(), meshes);
-    energy.elastic = 0;
-    contacts.evaluate(engine.clumps(), meshes, dt, energy);
+    stored = contacts.evaluate(engine.clumps(), meshes, dt);
   }
 
   void move(double dt)
@@ -122,8 +121,7 @@ struct Stage {
   {
     const EngineEnergy e = engine.energy(dt);
     double sum = e.kinetic + e.gravitational + e.contact.elastic + e.contact.friction +
-                 e.contact.damping + energy.elastic + energy.friction + energy.damping -
-                 e.wall_work;
+                 e.contact.damping + stored - e.wall_work;
     for (const MeshWall& wall : meshes) sum -= wall.work();
     return sum;
   }
@@ -131,6 +129,6 @@ struct Stage {
   Engine engine;
   MeshContacts contacts;
   std::vector<MeshWall> meshes;
-  ContactEnergy energy;
+  double stored = 0; // in the springs of contacts with meshes, and of rolling [J]
 };
 } // namespace wall_bench

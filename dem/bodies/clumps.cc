@@ -80,7 +80,7 @@ int Clumps::add(int new_shape, double density, const Vector3& x, const Quaternio
   position.push_back(x);
   orientation.push_back(q);
   for (VectorField* zero : {&velocity, &angular_momentum, &spin, &drift_velocity, &step_velocity,
-                            &step_spin, &force, &torque})
+                            &step_spin, &force, &torque, &lost})
     zero->push_back(Vector3::Zero());
   return size() - 1;
 }
@@ -96,8 +96,9 @@ std::vector<int> Clumps::remove(const std::vector<bool>& remove)
   compact(kind, remove);
   orientation.compact(remove);
   for (ScalarField* field : {&mass, &inverse_mass, &member_reach_, &ghost}) field->compact(remove);
-  for (VectorField* field : {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum,
-                             &spin, &drift_velocity, &step_velocity, &step_spin, &force, &torque})
+  for (VectorField* field :
+       {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum, &spin, &drift_velocity,
+        &step_velocity, &step_spin, &force, &torque, &lost})
     field->compact(remove);
   return new_index;
 }
@@ -110,7 +111,7 @@ ClumpState Clumps::state_of(int i) const
   state.velocity = velocity[i], state.angular_momentum = angular_momentum[i];
   state.drift_velocity = drift_velocity[i], state.spin = spin[i];
   state.step_velocity = step_velocity[i], state.step_spin = step_spin[i];
-  state.force = force[i], state.torque = torque[i];
+  state.force = force[i], state.torque = torque[i], state.lost = lost[i];
   state.is_ghost = ghost[i] == 1;
   return state;
 }
@@ -121,8 +122,9 @@ void Clumps::assign(const std::vector<ClumpState>& states)
   id.resize(n), shape.resize(n), kind.resize(n);
   orientation.resize(n);
   for (ScalarField* field : {&mass, &inverse_mass, &ghost}) field->resize(n);
-  for (VectorField* field : {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum,
-                             &spin, &drift_velocity, &step_velocity, &step_spin, &force, &torque})
+  for (VectorField* field :
+       {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum, &spin, &drift_velocity,
+        &step_velocity, &step_spin, &force, &torque, &lost})
     field->resize(n);
   for (int i = 0; i < n; ++i) {
     const ClumpState& s = states[i];
@@ -134,10 +136,9 @@ void Clumps::assign(const std::vector<ClumpState>& states)
     velocity[i] = s.velocity, angular_momentum[i] = s.angular_momentum;
     drift_velocity[i] = s.drift_velocity, spin[i] = s.spin;
     step_velocity[i] = s.step_velocity, step_spin[i] = s.step_spin;
-    force[i] = s.force, torque[i] = s.torque;
+    force[i] = s.force, torque[i] = s.torque, lost[i] = s.lost;
   }
   derive_from_shapes();
-  validate();
 }
 
 int Clumps::index_of(std::int64_t wanted) const
@@ -178,8 +179,9 @@ void Clumps::validate() const
   const int n = size();
   for (const std::size_t length : {shape.size(), id.size(), kind.size()})
     require(length == static_cast<std::size_t>(n), "their arrays differ in length");
-  for (const VectorField* field : {&inertia, &inverse_inertia, &velocity, &angular_momentum, &spin,
-                                   &drift_velocity, &step_velocity, &step_spin, &force, &torque})
+  for (const VectorField* field :
+       {&inertia, &inverse_inertia, &velocity, &angular_momentum, &spin, &drift_velocity,
+        &step_velocity, &step_spin, &force, &torque, &lost})
     require(field->size() == n, "their arrays differ in length");
   require(mass.size() == n && inverse_mass.size() == n && orientation.size() == n &&
               member_reach_.size() == n,

@@ -23,6 +23,7 @@ struct ClumpState {
   Vector3 inertia, position;
   Quaternion orientation;
   Vector3 velocity, angular_momentum, drift_velocity, spin, step_velocity, step_spin, force, torque;
+  Vector3 lost;
   bool is_ghost = false;
 };
 
@@ -103,6 +104,11 @@ public:
   ScalarField ghost;
   VectorField force;  // of this step, without gravity [N]
   VectorField torque; // about the centre of mass [N m]
+  // Dissipated since the clump came: by friction and by dashpots at its contacts, half of what
+  // those with other clumps lose and all of the others, and by local damping [J]. Kept by clump so
+  // that the sums over all do not depend on who shares them.
+  enum Loss { to_friction, to_damping, to_local_damping };
+  VectorField lost;
 
   template <class Archive> friend void exchange(Archive& archive, Clumps& clumps)
   {
@@ -125,6 +131,7 @@ public:
     archive("step_spin", clumps.step_spin, "rad/s");
     archive("force", clumps.force, "N");
     archive("torque", clumps.torque, "N m");
+    archive("lost", clumps.lost, "J");
     if (Archive::reading) clumps.derive_from_shapes();
   }
 

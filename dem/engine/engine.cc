@@ -68,6 +68,8 @@ std::vector<int> Engine::remove_clumps(const std::vector<bool>& remove)
     if (remove[c.i]) inserted_ -= MeshContacts::elastic_energy(c, mesh_walls_[c.wall].contact);
   for (const RollingSpring& s : rolling_.springs())
     if (remove[s.key[1]] || (s.key[0] == 0 && remove[s.key[2]])) inserted_ -= energy_of(s);
+  for (int i = 0; i < clumps_.size(); ++i)
+    if (remove[i]) lost_before_ += clumps_.lost[i];
   const std::vector<int> new_index = clumps_.remove(remove);
   lists_.renumber_clumps(clumps_, new_index);
   mesh_contacts_.renumber_clumps(new_index);
@@ -137,21 +139,22 @@ void Engine::compute_forces(double dt)
   const auto listed = Clock::now();
   records_.take(clumps_);
   evaluate_pairs(records_, stone_on_stone_, dt, lists_.pair_lanes(), sums_);
+  std::vector<Vector3> before;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    Wall& wall = walls_[w];
-    const Vector3 before = wall.force;
-    evaluate_wall(records_, dt, lists_.wall_segments()[w], lists_.wall_lanes(), sums_, wall,
-                  contact_energy_);
-    // A leapfrog kick does the work of the mean of the forces at both ends of a step.
-    wall_work_ -= 0.5 * dt * (before + wall.force).dot(wall.velocity);
+    before.push_back(walls_[w].force);
+    evaluate_wall(records_, dt, lists_.wall_segments()[w], lists_.wall_lanes(), sums_, walls_[w]);
   }
-  sums_.write(clumps_, contact_energy_.friction, contact_energy_.damping);
-  contact_energy_.elastic = 0; // of walls of triangles and of rolling; see energy()
+  sums_.write(clumps_);
   if (!mesh_walls_.empty()) {
     mesh_contacts_.update_list(clumps_, mesh_walls_);
-    mesh_contacts_.evaluate(clumps_, mesh_walls_, dt, contact_energy_);
+    mesh_contacts_.evaluate(clumps_, mesh_walls_, dt);
   }
   if (rolling_properties_.friction > 0) resist_rolling(dt);
+  wall_forces_are_whole_ = !ranks_.sum;
+  if (a_wall_moves()) complete_wall_forces();
+  // A leapfrog kick does the work of the mean of the forces at both ends of a step.
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    wall_work_ -= 0.5 * dt * (before[w] + walls_[w].force).dot(walls_[w].velocity);
   profile_.lists += seconds(start, listed);
   profile_.contacts += seconds(listed, Clock::now());
 }
@@ -163,7 +166,31 @@ void Engine::resist_rolling(double dt)
                  contacts);
   append_rolling(wall_contacts(), clumps_, walls_, rolling_properties_, contacts);
   append_rolling(mesh_contacts_.contacts(), clumps_, mesh_walls_, rolling_properties_, contacts);
-  rolling_.evaluate(std::move(contacts), clumps_, mesh_walls_, dt, contact_energy_);
+  rolling_.evaluate(std::move(contacts), clumps_, mesh_walls_, dt);
+}
+
+bool Engine::a_wall_moves() const
+{
+  const auto moves = [](const Wall& wall) { return wall.velocity != Vector3::Zero(); };
+  const auto turns = [](const MeshWall& wall) {
+    return wall.velocity != Vector3::Zero() || wall.spin != Vector3::Zero();
+  };
+  return !controls_.empty() || std::any_of(walls_.begin(), walls_.end(), moves) ||
+         std::any_of(mesh_walls_.begin(), mesh_walls_.end(), turns);
+}
+
+void Engine::complete_wall_forces()
+{
+  if (wall_forces_are_whole_) return;
+  std::vector<Vector3*> sums;
+  for (Wall& wall : walls_) sums.push_back(&wall.force);
+  for (MeshWall& wall : mesh_walls_) sums.insert(sums.end(), {&wall.force, &wall.torque});
+  std::vector<double> numbers;
+  for (const Vector3* sum : sums) numbers.insert(numbers.end(), sum->data(), sum->data() + 3);
+  ranks_.sum(numbers);
+  const double* number = numbers.data();
+  for (Vector3* sum : sums) *sum = Eigen::Map<const Vector3>(number), number += 3;
+  wall_forces_are_whole_ = true;
 }
 
 void Engine::control_wall(WallId id, const ForceControl& control)
@@ -180,10 +207,8 @@ int Engine::add_mesh_wall(const MeshWall& wall)
   MeshContacts look;
   std::vector<MeshWall> alone = {wall};
   Clumps clumps = clumps_;
-  ContactEnergy stored;
   look.update_list(clumps, alone);
-  look.evaluate(clumps, alone, 0, stored);
-  inserted_ += stored.elastic;
+  inserted_ += look.evaluate(clumps, alone, 0);
   mesh_contacts_.invalidate();
   return static_cast<int>(mesh_walls_.size()) - 1;
 }
@@ -192,7 +217,7 @@ void Engine::kick_all(double dt, const VectorField* other_force, const VectorFie
 {
   const auto start = Clock::now();
   if (local_damping_.share > 0)
-    local_damping_loss_ += local_damping_.damp(clumps_, gravity_, dt, other_force, other_torque);
+    local_damping_.damp(clumps_, gravity_, dt, other_force, other_torque);
   const int n = clumps_.position.padded_size();
   const double* __restrict inverse_mass = clumps_.inverse_mass.row(0);
   for (int c = 0; c < 3; ++c) {
@@ -222,9 +247,10 @@ void Engine::move_walls(double dt)
   for (auto& [id, control] : controls_) {
     const std::size_t w = wall_index(id);
     Wall& wall = walls_[w];
-    control_force(control,
-                  contact_response(wall_contacts(), static_cast<int>(w), wall.contact, clumps_, dt),
-                  wall);
+    std::vector<double> response = {
+        contact_response(wall_contacts(), static_cast<int>(w), wall.contact, clumps_, dt)};
+    if (ranks_.sum) ranks_.sum(response);
+    control_force(control, response[0], wall);
   }
   for (Wall& wall : walls_) wall.corner += dt * wall.velocity;
   for (MeshWall& wall : mesh_walls_) wall.move(dt);
@@ -270,41 +296,75 @@ double Engine::body_energy(int i) const
 
 EngineEnergy Engine::energy(double dt) const
 {
-  EngineEnergy e;
+  std::vector<double> kinetic, gravitational, friction, damping, local_damping;
   for (int i = 0; i < clumps_.size(); ++i) {
+    if (clumps_.ghost[i] == 1) continue;
     // Velocities half a step on, so that they belong to the present positions.
     const Vector3 v = clumps_.velocity[i] +
                       0.5 * dt * (clumps_.force[i] / clumps_.mass[i] - gravity_ * Vector3::UnitZ());
     const Vector3 l = clumps_.angular_momentum[i] + 0.5 * dt * clumps_.torque[i];
-    e.kinetic += 0.5 * clumps_.mass[i] * v.squaredNorm() + 0.5 * l.dot(clumps_.spin_of(i, l));
-    e.gravitational += clumps_.mass[i] * gravity_ * clumps_.position[i].z();
+    kinetic.push_back(0.5 * clumps_.mass[i] * v.squaredNorm() + 0.5 * l.dot(clumps_.spin_of(i, l)));
+    gravitational.push_back(clumps_.mass[i] * gravity_ * clumps_.position[i].z());
+    friction.push_back(clumps_.lost.row(Clumps::to_friction)[i]);
+    damping.push_back(clumps_.lost.row(Clumps::to_damping)[i]);
+    local_damping.push_back(clumps_.lost.row(Clumps::to_local_damping)[i]);
   }
-  e.contact = contact_energy_;
-  e.contact.elastic += elastic_energy_of_lanes();
-  e.local_damping = local_damping_loss_;
+  EngineEnergy e;
+  e.kinetic = order_free_sum(kinetic, ranks_);
+  e.gravitational = order_free_sum(gravitational, ranks_);
+  e.contact.elastic = order_free_sum(stored_energies(), ranks_);
+  e.contact.friction = lost_before_[Clumps::to_friction] + order_free_sum(friction, ranks_);
+  e.contact.damping = lost_before_[Clumps::to_damping] + order_free_sum(damping, ranks_);
+  e.local_damping = lost_before_[Clumps::to_local_damping] + order_free_sum(local_damping, ranks_);
   e.wall_work = wall_work_;
   for (const MeshWall& wall : mesh_walls_) e.wall_work += wall.work();
   e.inserted = inserted_;
   return e;
 }
 
-double Engine::elastic_energy_of_lanes() const
+// Of contacts, as the last compute_forces left them [J]; one that two ranks evaluate is that of the
+// first clump's.
+std::vector<double> Engine::stored_energies() const
 {
-  double sum = 0;
+  std::vector<double> energies;
   const ContactLanes &pairs = lists_.pair_lanes(), &at_walls = lists_.wall_lanes();
-  for (int k = 0; k < pairs.size(); ++k) sum += pairs.stored_energy(k, stone_on_stone_);
+  for (int k = 0; k < pairs.size(); ++k)
+    if (clumps_.ghost[pairs.key(k).i] == 0)
+      energies.push_back(pairs.stored_energy(k, stone_on_stone_));
   for (std::size_t w = 0; w < lists_.wall_segments().size() && w < walls_.size(); ++w) {
     const WallSegment segment = lists_.wall_segments()[w];
     for (int k = segment.begin; k < segment.end; ++k)
-      sum += at_walls.stored_energy(k, walls_[w].contact);
+      energies.push_back(at_walls.stored_energy(k, walls_[w].contact));
   }
-  return sum;
+  for (const MeshContact& c : mesh_contacts_.contacts())
+    energies.push_back(MeshContacts::elastic_energy(c, mesh_walls_[c.wall].contact));
+  for (const RollingSpring& s : rolling_.springs())
+    if (clumps_.ghost[s.key[1]] == 0) energies.push_back(energy_of(s));
+  return energies;
+}
+
+int Engine::n_touching_spheres() const
+{
+  int count = 0;
+  const ContactLanes& pairs = lists_.pair_lanes();
+  for (int k = 0; k < pairs.size(); ++k)
+    count += pairs.holds_something(k) && clumps_.ghost[pairs.key(k).i] == 0;
+  return count;
 }
 
 double Engine::kinetic_energy() const
 {
-  double kinetic = 0;
-  for (int i = 0; i < clumps_.size(); ++i) kinetic += kinetic_energy_of(clumps_, i);
-  return kinetic;
+  std::vector<double> energies;
+  for (int i = 0; i < clumps_.size(); ++i)
+    if (clumps_.ghost[i] == 0) energies.push_back(kinetic_energy_of(clumps_, i));
+  return order_free_sum(energies, ranks_);
+}
+
+double Engine::mass() const
+{
+  std::vector<double> masses;
+  for (int i = 0; i < clumps_.size(); ++i)
+    if (clumps_.ghost[i] == 0) masses.push_back(clumps_.mass[i]);
+  return order_free_sum(masses, ranks_);
 }
 } // namespace interlock::dem

@@ -13,6 +13,7 @@
 #include "dem/contacts/contact_views.h"
 #include "dem/engine/local_damping.h"
 #include "dem/engine/rolling_resistance.h"
+#include "dem/exact_sums.h"
 #include "dem/lists/neighbour_lists.h"
 #include "dem/ribs/rib_contacts.h"
 #include "dem/walls/force_control.h"
@@ -44,6 +45,17 @@ struct StableStep {
   double stiffness = 0;       // mean of its contacts [N/m]
   double rotation_share = 0;  // of its mobility at the contacts, the rest is translation [-]
 };
+
+template <class Archive> void exchange(Archive& archive, StableStep& s)
+{
+  archive("step", s.step, "s");
+  archive("clump", s.clump_id);
+  archive("shape", s.shape);
+  archive("mass", s.mass, "kg");
+  archive("contacts", s.contacts);
+  archive("stiffness", s.stiffness, "N/m");
+  archive("rotation_share", s.rotation_share);
+}
 
 // Time spent in the parts of the steps since the last reset [s].
 struct StepProfile {
@@ -119,10 +131,12 @@ public:
   void step(double dt);
 
   // At the present positions and forces (call between compute_forces and kick), for velocities that
-  // are half a step of `dt` behind.
+  // are half a step of `dt` behind; of all clumps, those of other ranks included. Collective.
   EngineEnergy energy(double dt) const;
-  // Of all clumps with the half-step velocities: cheap, for settling criteria [J].
+  // Of all clumps, those of other ranks included, with the half-step velocities: cheap, for
+  // settling criteria [J]; and their mass [kg]. Collective.
   double kinetic_energy() const;
+  double mass() const;
 
   // Bound 2/omega on the stable step from the present contacts: of the clumps, the largest sum over
   // their contacts of k times the largest mobility at the contact, 1/m + the largest eigenvalue of
@@ -139,8 +153,8 @@ public:
   std::vector<SphereContact> sphere_contacts() const;
   std::vector<WallContact> wall_contacts() const;
   // Counts, and the largest overlap of stones with stones and walls [m], of the last
-  // compute_forces.
-  int n_touching_spheres() const { return count_touching(lists_.pair_lanes()); }
+  // compute_forces; a contact that two ranks evaluate counts on that of the first clump.
+  int n_touching_spheres() const;
   double largest_overlap() const;
 
   // Brute force over all pairs of member spheres: number of overlapping pairs (for tests).
@@ -153,10 +167,19 @@ public:
   // Goes on with these clumps, ids ascending, and what their contacts remember, instead of those
   // that are here. For clumps that change ranks: no energy is booked.
   void replace_clumps(const std::vector<ClumpState>& states, const ContactMemory& memory);
+  // From now on other ranks move the other clumps. Forces on walls that are found here are a part
+  // of them then, completed in steps in which a wall moves, and otherwise only by
+  // complete_wall_forces(). Nothing: everything is here, as at the begin.
+  void set_ranks(OverRanks ranks) { ranks_ = std::move(ranks); }
+  void complete_wall_forces();
   // Energy in the springs of all contacts with stones and walls at the present poses, for the
   // present properties [J]: what changes when the properties are changed.
   double elastic_energy() const;
 
+  // Levels of the neighbour lists that will have to be built soon, and that the next step shall
+  // build: so that ranks do so together (NeighbourLists::Levels).
+  NeighbourLists::Levels expiring_lists() const { return lists_.expiring(); }
+  void renew_lists(const NeighbourLists::Levels& levels) { lists_.renew(levels); }
   void set_list_settings(const ListSettings& settings) { lists_.set(settings); }
   StepProfile profile() const;
   void reset_profile();
@@ -175,9 +198,8 @@ public:
     archive("mesh_walls", motions);
     if (Archive::reading) engine.set_mesh_wall_motions(motions);
     archive("rolling", engine.rolling_properties_);
-    archive("energy", engine.contact_energy_);
+    archive("lost_before", engine.lost_before_, "J");
     archive("local_damping", engine.local_damping_.share);
-    archive("local_damping_loss", engine.local_damping_loss_, "J");
     archive("wall_work", engine.wall_work_, "J");
     archive("inserted", engine.inserted_, "J");
     ContactMemory contacts;
@@ -210,8 +232,9 @@ private:
   double elastic_energy(const SphereContact& contact) const;
   double elastic_energy(const WallContact& contact) const;
   double body_energy(int clump) const;
-  double elastic_energy_of_lanes() const; // as the last compute_forces left them [J]
+  std::vector<double> stored_energies() const;
   void resist_rolling(double dt);
+  bool a_wall_moves() const;
 
   Clumps clumps_;
   std::vector<Wall> walls_;
@@ -226,9 +249,11 @@ private:
   RollingResistance rolling_;
   ContactProperties stone_on_stone_;
   double gravity_;
-  ContactEnergy contact_energy_;
   LocalDamping local_damping_;
-  double local_damping_loss_ = 0, wall_work_ = 0, inserted_ = 0;
+  Vector3 lost_before_ = Vector3::Zero(); // by clumps that were removed, as Clumps::lost [J]
+  double wall_work_ = 0, inserted_ = 0;   // [J]
+  OverRanks ranks_;
+  bool wall_forces_are_whole_ = true;
   ScalarField nothing_held_;
   StepProfile profile_;
   double broad_phase_before_ = 0;

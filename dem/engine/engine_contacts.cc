@@ -159,7 +159,7 @@ StableStep Engine::stable_step(const RibContacts* ribs) const
   StableStep limit;
   double largest = 0;
   for (int i = 0; i < clumps_.size(); ++i)
-    if (rate[i] > largest) {
+    if (clumps_.ghost[i] == 0 && rate[i] > largest) {
       largest = rate[i];
       limit = {2 / std::sqrt(2 * rate[i]),
                clumps_.id[i],

@@ -23,11 +23,10 @@ INTERLOCK_LANE Lane3 along(Lane3 size, Lane3 direction)
 }
 } // namespace
 
-double LocalDamping::damp(Clumps& clumps, double gravity, double dt, const VectorField* other_force,
-                          const VectorField* other_torque)
+void LocalDamping::damp(Clumps& clumps, double gravity, double dt, const VectorField* other_force,
+                        const VectorField* other_torque)
 {
   nothing_.resize(clumps.size());
-  loss_.resize(clumps.size());
   const Rows3<double> force(clumps.force), torque(clumps.torque);
   const Rows3<const double> more_force(other_force ? *other_force : nothing_),
       more_torque(other_torque ? *other_torque : nothing_);
@@ -36,7 +35,7 @@ double LocalDamping::damp(Clumps& clumps, double gravity, double dt, const Vecto
   const double* __restrict mass = clumps.mass.row(0);
   const double* __restrict inverse_mass = clumps.inverse_mass.row(0);
   const QuaternionRows<const double> attitude(clumps.orientation);
-  double* __restrict loss = loss_.row(0);
+  double* __restrict lost = clumps.lost.row(Clumps::to_local_damping);
   const double wanted = share;
   const int n = clumps.force.padded_size();
 #pragma GCC ivdep
@@ -57,10 +56,7 @@ double LocalDamping::damp(Clumps& clumps, double gravity, double dt, const Vecto
     mean_v.z -= 0.5 * dt * gravity;
     const Lane3 mean_w =
         spin_from_momentum(attitude.get(i), momentum.get(i) + 0.5 * dt * t, inverse_inertia.get(i));
-    loss[i] = dt * (dot(damping, mean_v) + dot(turning, mean_w));
+    lost[i] += dt * (dot(damping, mean_v) + dot(turning, mean_w));
   }
-  double sum = 0;
-  for (int i = 0; i < clumps.size(); ++i) sum += loss_[i];
-  return sum;
 }
 } // namespace interlock::dem

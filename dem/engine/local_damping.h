@@ -13,14 +13,13 @@ public:
   double share = 0; // 0: off [-]
 
   // Takes the damping off clumps.force and clumps.torque, before they are kicked in over dt [s],
-  // and returns what it will dissipate [J]. Signs are those of the velocity before the kick. The
-  // unbalanced force is that of the clumps, the other one (per clump, world; null: none) and the
-  // weight under `gravity` along -z [m/s2].
-  double damp(Clumps& clumps, double gravity, double dt, const VectorField* other_force,
-              const VectorField* other_torque);
+  // and books what it will dissipate in clumps.lost. Signs are those of the velocity before the
+  // kick. The unbalanced force is that of the clumps, the other one (per clump, world; null: none)
+  // and the weight under `gravity` along -z [m/s2].
+  void damp(Clumps& clumps, double gravity, double dt, const VectorField* other_force,
+            const VectorField* other_torque);
 
 private:
   VectorField nothing_;
-  ScalarField loss_;
 };
 } // namespace interlock::dem

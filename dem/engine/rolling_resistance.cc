@@ -1,5 +1,7 @@
 #include "dem/engine/rolling_resistance.h"
 
+#include "dem/exact_sums.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,34 +26,50 @@ double radius_of(const Clumps& clumps, int i, int a)
 }
 } // namespace
 
-void RollingResistance::evaluate(std::vector<RollingContact> contacts, Clumps& clumps,
-                                 std::vector<MeshWall>& meshes, double time_step,
-                                 ContactEnergy& energy)
+double RollingResistance::evaluate(std::vector<RollingContact> contacts, Clumps& clumps,
+                                   std::vector<MeshWall>& meshes, double time_step)
 {
   std::sort(contacts.begin(), contacts.end(),
             [](const RollingContact& a, const RollingContact& b) { return a.key < b.key; });
   old_.swap(springs_);
   springs_.clear();
   auto old = old_.begin();
-  const auto lose = [&energy](const RollingSpring& spring) {
-    energy.friction += 0.5 * spring.stiffness * spring.angle.squaredNorm();
+  double elastic = 0;
+  // Half to each of two clumps, all to one at a wall.
+  const auto book = [&clumps](const std::array<int, 5>& key, const ContactEnergy& energy) {
+    const bool pair = key[0] == 0;
+    for (const int i : {key[1], pair ? key[2] : -1}) {
+      if (i < 0) continue;
+      clumps.lost.row(Clumps::to_friction)[i] += (pair ? 0.5 : 1) * energy.friction;
+      clumps.lost.row(Clumps::to_damping)[i] += (pair ? 0.5 : 1) * energy.damping;
+    }
+  };
+  const auto lose = [&book](const RollingSpring& spring) {
+    ContactEnergy energy;
+    energy.friction = 0.5 * spring.stiffness * spring.angle.squaredNorm();
+    book(spring.key, energy);
   };
   for (const RollingContact& c : contacts) {
     for (; old != old_.end() && old->key < c.key; ++old) lose(*old);
     RollingSpring spring;
     if (old != old_.end() && old->key == c.key) spring = *old++;
+    spring.key = c.key;
     if (c.rolling.friction <= 0) {
       lose(spring);
       continue;
     }
-    spring.key = c.key;
+    ContactEnergy energy;
     const Vector3 on_i = moment(c, clumps, meshes, time_step, spring, energy);
     clumps.torque[c.i] += on_i;
     if (c.j >= 0) clumps.torque[c.j] -= on_i;
-    if (c.mesh >= 0) meshes[c.mesh].torque -= on_i;
+    if (c.mesh >= 0)
+      for (int k = 0; k < 3; ++k) meshes[c.mesh].torque[k] -= on_grid<force_grid>(on_i[k]);
+    book(c.key, energy);
+    elastic += energy.elastic;
     springs_.push_back(spring);
   }
   for (; old != old_.end(); ++old) lose(*old);
+  return elastic;
 }
 
 Vector3 RollingResistance::moment(const RollingContact& c, const Clumps& clumps,

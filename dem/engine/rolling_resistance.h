@@ -52,11 +52,11 @@ public:
   // Adds the moments of all contacts to clumps.torque and, with the opposite sign, to the torque of
   // walls of triangles, and advances the springs by `time_step` [s]. Springs of contacts that are
   // not in the list any more are lost to friction. Spins are clumps.step_spin and those of the
-  // walls' last move. Adds to all of `energy`: the stored part to elastic, slip to friction, the
-  // dashpot to damping. A contact with friction 0 does nothing.
+  // walls' last move. Books what slip and dashpots dissipate in clumps.lost and returns the energy
+  // in the springs [J]. A contact with friction 0 does nothing.
   // Keys must be unique; the list may have any order.
-  void evaluate(std::vector<RollingContact> contacts, Clumps& clumps, std::vector<MeshWall>& meshes,
-                double time_step, ContactEnergy& energy);
+  double evaluate(std::vector<RollingContact> contacts, Clumps& clumps,
+                  std::vector<MeshWall>& meshes, double time_step);
 
   // After clumps or walls were removed: for every old one the new index, ascending, or -1 (`kind`:
   // 1 walls, 2 walls of triangles, as in the key).

@@ -49,19 +49,18 @@ void BodySums::clear(int n)
   sums_.assign(padded(n), Sum());
 }
 
-void BodySums::write(Clumps& clumps, double& fourth_of_force, double& fourth_of_moment)
+void BodySums::write(Clumps& clumps)
 {
   const Rows3<const double> position(clumps.position);
   const Rows3<double> force(clumps.force), torque(clumps.torque);
-  Quad all_force{}, all_moment{};
+  double* friction = clumps.lost.row(Clumps::to_friction);
+  double* damping = clumps.lost.row(Clumps::to_damping);
   for (int i = 0; i < clumps.position.padded_size(); i += 4) {
     Sum* s = &sums_[i];
     Quad f[4], m[4];
     for (int k = 0; k < 4; ++k) {
-      // What a contact loses is booked where its first body is moved.
-      const double booked = 1 - clumps.ghost[i + k];
-      all_force += booked * s[k].first_force;
-      all_moment += booked * s[k].first_moment;
+      friction[i + k] += 0.5 * (s[k].first_force[3] - s[k].other_force[3]);
+      damping[i + k] += 0.5 * (s[k].first_moment[3] - s[k].other_moment[3]);
       f[k] = s[k].first_force + s[k].other_force;
       m[k] = s[k].first_moment + s[k].other_moment;
       s[k].other_force = s[k].other_moment = Quad{};
@@ -74,7 +73,5 @@ void BodySums::write(Clumps& clumps, double& fourth_of_force, double& fourth_of_
     store(force, i, on_body);
     store(torque, i, about_centre);
   }
-  fourth_of_force += all_force[3];
-  fourth_of_moment += all_moment[3];
 }
 } // namespace interlock::dem

@@ -47,10 +47,9 @@ public:
   void clear(int n);
   Sum* data() { return sums_.data(); }
 
-  // Writes force and torque about the centre of mass of every clump, and makes the sums ready for
-  // the next step. Adds the fourth numbers of the first bodies to `fourth_of_force` and
-  // `fourth_of_moment`.
-  void write(Clumps& clumps, double& fourth_of_force, double& fourth_of_moment);
+  // Writes force and torque about the centre of mass of every clump, books what its contacts lost,
+  // half of it to each of two clumps, and makes the sums ready for the next step.
+  void write(Clumps& clumps);
 
 private:
   std::vector<Sum> sums_;

@@ -8,8 +8,11 @@
 // torque about a clump's centre of mass is made once a clump (body_records.h).
 //
 // The fourth number of the quads that are summed is energy: what a contact loses in this step to
-// friction goes with its force and what it loses to damping with its moment.
+// friction goes with its force and what it loses to damping with its moment, so that a clump's sums
+// as first body hold it with a positive sign and the others with a negative one. It counts twice at
+// walls, since half of it is booked to each clump (BodySums::write).
 #include "dem/bodies/wide.h"
+#include "dem/exact_sums.h"
 #include "dem/lanes/contact_lanes.h"
 #include "dem/lanes/lane_geometry.h"
 
@@ -127,17 +130,18 @@ INTERLOCK_LANE void add_pairs(const LaneBlock& block, const LaneMoments& moments
   }
 }
 
+// `force_on_stones` is an exact sum.
 INTERLOCK_LANE void add_at_wall(const LaneBlock& block, const LaneMoments& moments,
-                                WrenchSum& on_stones, BodySums::Sum* sums)
+                                Quad& force_on_stones, BodySums::Sum* sums)
 {
+  constexpr Quad with_energy{1, 1, 1, -2};
   for (int l = 0; l < lane_width; l += 4) {
     const Wrenches w(block, moments, l);
     for (int k = 0; k < 4; ++k) {
       BodySums::Sum& sum = sums[block.i[l + k]];
-      sum.other_force += w.force[k];
-      sum.other_moment += w.moment[k];
-      on_stones.force += w.force[k];
-      on_stones.moment += w.moment[k];
+      sum.other_force += with_energy * w.force[k];
+      sum.other_moment += with_energy * w.moment[k];
+      force_on_stones += on_grid<force_grid>(w.force[k]);
     }
   }
 }
@@ -204,7 +208,7 @@ void evaluate_pairs(const BodyRecords& bodies, const ContactProperties& pair, do
 }
 
 void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, ContactLanes& lanes,
-                   BodySums& sums, Wall& wall, ContactEnergy& energy)
+                   BodySums& sums, Wall& wall)
 {
   const WallPlane plane(wall);
   LaneBlock* blocks = lanes.blocks().data() + segment.begin / lane_width;
@@ -216,15 +220,13 @@ void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, Co
     measure(blocks, n, place);
     share_contacts(segment.begin, segment.end, lanes);
   }
-  WrenchSum on_stones;
+  Quad on_stones{};
   with_law(wall.contact, [&](auto shared, const auto& law) {
     run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
                                         [&](const LaneBlock& block, const LaneMoments& moments) {
                                           add_at_wall(block, moments, on_stones, sums.data());
                                         });
   });
-  wall.force = {-on_stones.force[0], -on_stones.force[1], -on_stones.force[2]};
-  energy.friction += on_stones.force[3];
-  energy.damping += on_stones.moment[3];
+  wall.force = {-on_stones[0], -on_stones[1], -on_stones[2]};
 }
 } // namespace interlock::dem

@@ -80,7 +80,7 @@ void evaluate_pairs(const BodyRecords& bodies, const ContactProperties& pair, do
 // The same for the lanes of one wall, whose force is set, too; the clumps' sums as other bodies are
 // added to. Friction and damping are added to `energy`.
 void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, ContactLanes& lanes,
-                   BodySums& sums, Wall& wall, ContactEnergy& energy);
+                   BodySums& sums, Wall& wall);
 
 int count_touching(const ContactLanes& lanes);
 double largest_overlap(const ContactLanes& lanes); // [m]

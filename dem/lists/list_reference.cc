@@ -70,9 +70,15 @@ bool ListReference::holds(const Clumps& clumps)
 #pragma GCC ivdep
   for (int i = 0; i < n; ++i)
     excess[i] = 2 * (motion.moved_square(i) + motion.turned_square(i)) - s[i] * s[i];
-  double largest = -1;
-#pragma omp simd reduction(max : largest)
-  for (int i = 0; i < n; ++i) largest = largest > excess[i] ? largest : excess[i];
+  constexpr double rest = 1 - 0.93 * 0.93;
+  double largest = -1, largest_of_most = -1;
+#pragma omp simd reduction(max : largest, largest_of_most)
+  for (int i = 0; i < n; ++i) {
+    const double of_most = excess[i] + rest * s[i] * s[i];
+    largest = largest > excess[i] ? largest : excess[i];
+    largest_of_most = largest_of_most > of_most ? largest_of_most : of_most;
+  }
+  nearly_used_up_ = largest_of_most > 0;
   return largest <= 0;
 }
 } // namespace interlock::dem

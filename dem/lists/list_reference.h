@@ -22,8 +22,11 @@ public:
   void measure(const Clumps& clumps, ScalarField& used) const;
   // True while no clump has used more than its skin; may say false a little early, for speed.
   bool holds(const Clumps& clumps);
+  // Whether some clump had used more than 0.93 of its skin when holds() was asked.
+  bool is_nearly_used_up() const { return nearly_used_up_; }
 
 private:
+  bool nearly_used_up_ = false;
   ScalarField excess_; // work space
 };
 } // namespace interlock::dem

@@ -59,9 +59,15 @@ bool NeighbourLists::update(const Clumps& clumps, const std::vector<Wall>& walls
     wall_lanes_.reset(0);
     wall_segments_.assign(walls.size(), {0, 0});
     valid_ = false;
+    expiring_ = renewed_ = {};
+    built_now_ = true;
     return true;
   }
-  if (valid_ && inner_holds(clumps, walls)) return false;
+  built_now_ = false;
+  if (valid_ && inner_holds(clumps, walls) && !renewed_.inner) {
+    expiring_.inner = inner_.is_nearly_used_up();
+    return false;
+  }
 
   walk_.take_shapes(clumps.shapes());
   choose_sizes(clumps);
@@ -76,7 +82,11 @@ bool NeighbourLists::update(const Clumps& clumps, const std::vector<Wall>& walls
   }
   choose_inner_skins(clumps, walls, dt);
   if (valid_) middle_.measure(clumps, middle_used_);
-  if (!valid_ || !middle_holds(walls)) build_middle(clumps, walls, dt);
+  ++inner_since_middle_;
+  if (!valid_ || renewed_.middle || !middle_holds(walls)) {
+    build_middle(clumps, walls, dt);
+    inner_since_middle_ = 0;
+  }
   inner_.resize(clumps.size());
   for (int i = 0; i < clumps.size(); ++i) inner_.take(clumps, i, next_inner_skin_[i]);
   build_pair_lanes(clumps);
@@ -85,7 +95,21 @@ bool NeighbourLists::update(const Clumps& clumps, const std::vector<Wall>& walls
   counts_.lanes = pairs_.size();
   valid_ = true;
   adapt();
+  built_now_ = true;
+  renewed_ = {};
+  expiring_ = {false, middle_is_nearly_used_up()};
   return true;
+}
+
+// Whether the inner list after this one will perhaps need more than the middle level has, if clumps
+// go on as since that was built.
+bool NeighbourLists::middle_is_nearly_used_up() const
+{
+  if (inner_since_middle_ == 0) return false;
+  const double more = 1 + 1. / inner_since_middle_;
+  for (int i = 0; i < next_inner_skin_.size(); ++i)
+    if (next_inner_skin_[i] + more * middle_used_[i] > middle_.skin[i]) return true;
+  return false;
 }
 
 bool NeighbourLists::inner_holds(const Clumps& clumps, const std::vector<Wall>& walls)

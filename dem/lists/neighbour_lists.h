@@ -35,6 +35,18 @@ public:
               double gravity);
 
   // Forces a full rebuild at the next update, keeping the histories.
+  // Levels of the lists: for ranks, which wait for each other at every step, and so should build
+  // the same level in the same step. It changes no digit when they are built.
+  struct Levels {
+    bool inner = false, middle = false;
+  };
+  // Those that will have to be built soon.
+  Levels expiring() const { return expiring_; }
+  // The next update builds these anew, unless the last one has just done so.
+  void renew(const Levels& levels)
+  {
+    if (!built_now_) renewed_ = levels;
+  }
   void invalidate() { valid_ = false; }
   // After clumps were removed: drops their contacts and renumbers the others.
   void renumber_clumps(const Clumps& clumps, const std::vector<int>& new_index);
@@ -83,6 +95,7 @@ private:
   void choose_sizes(const Clumps& clumps);
   bool inner_holds(const Clumps& clumps, const std::vector<Wall>& walls);
   void choose_inner_skins(const Clumps& clumps, const std::vector<Wall>& walls, double dt);
+  bool middle_is_nearly_used_up() const;
   bool middle_holds(const std::vector<Wall>& walls) const;
   void build_outer(const Clumps& clumps, double dt);
   void build_middle(const Clumps& clumps, const std::vector<Wall>& walls, double dt);
@@ -95,6 +108,9 @@ private:
   void adapt();
 
   ListSettings settings_;
+  Levels expiring_, renewed_;
+  bool built_now_ = false; // by the last update
+  int inner_since_middle_ = 0;
   bool valid_ = false;
   // Smallest and largest skins [m], from the mean bounding radius.
   double inner_rest_ = 0, inner_most_ = 0, middle_rest_ = 0, middle_most_ = 0, outer_rest_ = 0,

@@ -29,8 +29,9 @@ public:
   {
     int index[3];
     for (int c = 0; c < 3; ++c)
-      index[c] = static_cast<int>(
-          std::clamp(std::floor((x[c] - low_[c]) / width_), 0., static_cast<double>(n_[c] - 1)));
+      // The order of the arguments makes 0 of what is not a number.
+      index[c] = static_cast<int>(std::min(std::max(0., std::floor((x[c] - low_[c]) / width_)),
+                                           static_cast<double>(n_[c] - 1)));
     return number(index[0], index[1], index[2]);
   }
 

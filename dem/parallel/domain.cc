@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -32,26 +33,23 @@ template <class Archive> void exchange(Archive& archive, ClumpState& s)
   archive("step_spin", s.step_spin, "rad/s");
   archive("force", s.force, "N");
   archive("torque", s.torque, "N m");
+  archive("lost", s.lost, "J");
   archive("is_ghost", s.is_ghost);
 }
-
-struct Domain::Parcel {
-  std::vector<ClumpState> clumps;
-  ContactMemory contacts;
-
-  template <class Archive> friend void exchange(Archive& archive, Parcel& parcel)
-  {
-    archive("clumps", parcel.clumps);
-    archive("contacts", parcel.contacts);
-  }
-};
 
 namespace
 {
 // Numbers of a ghost: position, attitude, velocity and spin of the step.
 constexpr int numbers_of_a_ghost = 13;
-// Largest load of a rank over the mean with which cells stay where they are.
+// Largest load of a rank over its share with which cells stay where they are.
 constexpr double fair = 1.05;
+// Over the largest bounding radius: half of what is more than two is how far clumps may move.
+constexpr double cell_width = 2.4;
+// Beside its contacts with others and walls, each of which costs 1 (half of an evaluation).
+constexpr int cost_of_a_clump = 3;
+// Clumps are dealt anew when one will have gone that share of its way in so many steps, at the
+// speed that it has: two pass until all ranks know.
+constexpr double usable = 0.95, notice_steps = 4;
 
 std::array<double*, numbers_of_a_ghost> rows_of_a_ghost(Clumps& clumps)
 {
@@ -86,70 +84,228 @@ void sort(ContactMemory& memory)
 }
 } // namespace
 
-Domain::Domain(const Ranks& ranks, const CellGrid& grid) : ranks_(ranks), grid_(grid) {}
+struct Domain::Parcel {
+  std::vector<ClumpState> clumps;
+  ContactMemory contacts;
+
+  // Lets go of the contacts for which `wanted` is false: of their clump and of the second one, or
+  // -1 at walls.
+  template <class Function> void keep(const Function& wanted)
+  {
+    const auto filter = [](auto& list, const auto& is_wanted) {
+      list.erase(
+          std::remove_if(list.begin(), list.end(), [&](const auto& c) { return !is_wanted(c); }),
+          list.end());
+    };
+    filter(contacts.pairs, [&](const PairMemory& c) { return wanted(c.first, c.second); });
+    filter(contacts.walls, [&](const WallMemory& c) { return wanted(c.clump, -1); });
+    filter(contacts.meshes, [&](const MeshMemory& c) { return wanted(c.clump, -1); });
+    filter(contacts.rolling,
+           [&](const RollingMemory& c) { return wanted(c.first, c.kind == 0 ? c.second : -1); });
+  }
+
+  // Of several messages, clumps ascending, contacts in the order that ContactMemory promises.
+  static Parcel merged(const std::vector<Bytes>& messages);
+
+  template <class Archive> friend void exchange(Archive& archive, Parcel& parcel)
+  {
+    archive("clumps", parcel.clumps);
+    archive("contacts", parcel.contacts);
+  }
+};
+
+Domain::Parcel Domain::Parcel::merged(const std::vector<Bytes>& messages)
+{
+  Parcel all;
+  for (const Bytes& message : messages) {
+    Parcel parcel;
+    ByteReader reader(message);
+    reader("parcel", parcel);
+    append(all.clumps, parcel.clumps);
+    append(all.contacts.pairs, parcel.contacts.pairs);
+    append(all.contacts.walls, parcel.contacts.walls);
+    append(all.contacts.meshes, parcel.contacts.meshes);
+    append(all.contacts.rolling, parcel.contacts.rolling);
+  }
+  std::sort(all.clumps.begin(), all.clumps.end(),
+            [](const ClumpState& p, const ClumpState& q) { return p.id < q.id; });
+  sort(all.contacts);
+  return all;
+}
 
 Domain::~Domain()
 {
-  await_answer();
-  if (graph_ != MPI_COMM_NULL) MPI_Comm_free(&graph_);
+  disconnect();
 }
 
-std::vector<int> Domain::ranks_near(const Vector3& x, int cell, double radius) const
+void Domain::disconnect()
 {
-  // Who touches it later, with its centre in the cell now, is this near now.
-  const double reach = radius + largest_ + 2 * room_;
-  std::set<int> ranks;
-  for (const int near : grid_.neighbours(cell))
-    if (owner_[near] != owner_[cell] && grid_.distance(x, near) <= reach)
-      ranks.insert(owner_[near]);
-  return {ranks.begin(), ranks.end()};
+  for (MPI_Request& request : requests_) MPI_Request_free(&request);
+  requests_.clear();
 }
 
-void Domain::share_out_cells(const Clumps& clumps)
+bool Domain::Place::is_on(int rank) const
 {
-  std::vector<int> cost(grid_.size(), 0);
-  for (int i = 0; i < clumps.size(); ++i)
-    if (clumps.ghost[i] == 0) ++cost[grid_.cell_of(clumps.position[i])];
-  cost = ranks_.sum(cost);
+  return owner == rank || std::binary_search(copies.begin(), copies.end(), rank);
+}
+
+void Domain::find_kept(const Clumps& clumps)
+{
+  is_kept_.assign(clumps.size(), false);
+  kept_here_.clear();
+  if (!kept_.keeps) return;
+  for (int i = 0; i < clumps.size(); ++i) {
+    if (kept_.box.exteriorDistance(Vector3(clumps.position[i])) > clumps.bounding_radius(i) ||
+        !kept_.keeps(clumps, i))
+      continue;
+    is_kept_[i] = true;
+    kept_here_.push_back(i);
+  }
+}
+
+// Before the next deal, a clump that is kept and is here, or what keeps it.
+bool Domain::could_touch_kept(const Clumps& clumps, int i) const
+{
+  if (!kept_.keeps) return false;
+  const Vector3 x = clumps.position[i];
+  const double radius = clumps.bounding_radius(i), ways = 2 * room_;
+  const double to_box = kept_.box.exteriorDistance(x);
+  if (to_box <= radius + ways) return true;
+  if (to_box > radius + 2 * largest_ + ways) return false;
+  return std::any_of(kept_here_.begin(), kept_here_.end(), [&](int k) {
+    const double near = radius + clumps.bounding_radius(k) + ways;
+    return (Vector3(clumps.position[k]) - x).squaredNorm() <= near * near;
+  });
+}
+
+// Who touches a clump later is near it now: both may move by the room. On the rank that moves a
+// clump, and on those that have copies of it, everybody near it is there, too.
+Domain::Place Domain::place_of(const Clumps& clumps, int i) const
+{
+  const Vector3 x = clumps.position[i];
+  const int cell = grid_.cell_of(x);
+  Place place;
+  place.owner = is_kept_[i] ? 0 : owner_[cell];
+  std::set<int> near = {owner_[cell]};
+  for (const int other : grid_.neighbours(cell))
+    if (grid_.distance(x, other) <= clumps.bounding_radius(i) + largest_ + 2 * room_)
+      near.insert(owner_[other]);
+  if (could_touch_kept(clumps, i)) near.insert(0);
+  near.erase(place.owner);
+  place.copies.assign(near.begin(), near.end());
+  return place;
+}
+
+void Domain::lay_cells(const Clumps& clumps)
+{
+  Eigen::AlignedBox3d box(Vector3::Zero());
+  if (clumps.size() > 0) box = Eigen::AlignedBox3d(Vector3(clumps.position[0]));
+  largest_ = 1e-3;
+  for (int i = 0; i < clumps.size(); ++i) {
+    box.extend(Vector3(clumps.position[i]));
+    largest_ = std::max(largest_, clumps.bounding_radius(i));
+  }
+  grid_ = CellGrid(box.min(), box.max(), cell_width * largest_);
+  room_ = (0.5 * cell_width - 1) * largest_;
+  owner_.clear();
+}
+
+// By what the clumps in them and their contacts cost.
+void Domain::share_out_cells(const Clumps& clumps, const ContactMemory& contacts)
+{
+  std::vector<int> of_clump(clumps.size(), cost_of_a_clump);
+  const auto add = [&](std::int64_t id) {
+    const int i = clumps.index_of(id);
+    if (i >= 0) ++of_clump[i];
+  };
+  for (const PairMemory& c : contacts.pairs) add(c.first), add(c.second);
+  for (const WallMemory& c : contacts.walls) add(c.clump);
+  // Behind the cells: of what the first rank keeps, and the number of clumps.
+  std::vector<int> cost(grid_.size() + 2, 0);
+  for (int i = 0; i < clumps.size(); ++i) {
+    if (clumps.ghost[i] == 1) continue;
+    cost[is_kept_[i] ? grid_.size() : grid_.cell_of(clumps.position[i])] += of_clump[i];
+    ++cost[grid_.size() + 1];
+  }
+  if (!whole_) cost = ranks_.sum(cost);
+  const double all = std::accumulate(cost.begin(), cost.end() - 1, 0.);
+  const double load = kept_.load * all / std::max(1, cost.back());
+  const double kept = load + cost[grid_.size()];
+  cost.resize(grid_.size());
+  const std::vector<double> shares =
+      fair_shares(std::accumulate(cost.begin(), cost.end(), 0.), kept, ranks_.size());
   if (!owner_.empty()) {
     std::vector<int> load(ranks_.size(), 0);
     for (int cell = 0; cell < grid_.size(); ++cell) load[owner_[cell]] += cost[cell];
-    const double mean = std::accumulate(load.begin(), load.end(), 0.) / ranks_.size();
-    if (*std::max_element(load.begin(), load.end()) < fair * mean) return;
+    bool is_fair = true;
+    for (int r = 0; r < ranks_.size(); ++r) is_fair = is_fair && load[r] <= fair * shares[r] + 1;
+    if (is_fair) return;
   }
-  owner_ = partition(grid_, cost, ranks_.size());
+  owner_ = partition(grid_, cost, shares);
 }
 
-void Domain::deal(Engine& engine)
+void Domain::deal(Engine& engine, const KeptRegion& kept)
 {
-  await_answer();
-  const Clumps& clumps = engine.clumps();
-  largest_ = 0; // the same on all ranks, unlike the clumps that are here
-  for (const ClumpShape& shape : clumps.shapes())
-    largest_ = std::max(largest_, shape.bounding_radius());
-  room_ = 0.5 * grid_.width() - largest_;
-  if (room_ <= 0)
-    throw std::logic_error("Cells of " + std::to_string(grid_.width()) +
-                           " m are too narrow for clumps with a bounding radius of " +
-                           std::to_string(largest_) + " m.");
-  share_out_cells(clumps);
+  kept_ = kept;
+  if (whole_) lay_cells(engine.clumps());
+  find_kept(engine.clumps());
+  ContactMemory memory = engine.memory();
+  share_out_cells(engine.clumps(), memory);
+  if (whole_)
+    deal_whole(engine, std::move(memory));
+  else
+    deal_parts(engine, memory);
+  whole_ = false;
+  engine.set_ranks({[this](std::vector<double>& numbers) { ranks_.sum(numbers); },
+                    [this](double mine) { return ranks_.largest(mine); }});
+  dealt_ = engine.clumps().position;
+  connect(engine.clumps());
+}
 
+// Every rank has everything and lets go of what is not its own: nothing is sent.
+void Domain::deal_whole(Engine& engine, ContactMemory memory)
+{
+  const Clumps& clumps = engine.clumps();
+  const int me = ranks_.rank();
+  Parcel mine;
+  std::vector<bool> ours(clumps.size());
+  for (int i = 0; i < clumps.size(); ++i) {
+    const Place place = place_of(clumps, i);
+    ours[i] = place.owner == me;
+    if (!place.is_on(me)) continue;
+    mine.clumps.push_back(clumps.state_of(i));
+    mine.clumps.back().is_ghost = !ours[i];
+  }
+  const auto is_ours = [&](std::int64_t id) { return ours[clumps.index_of(id)]; };
+  mine.contacts = std::move(memory);
+  mine.keep([&](std::int64_t first, std::int64_t second) {
+    return is_ours(first) || (second >= 0 && is_ours(second));
+  });
+  engine.replace_clumps(mine.clumps, mine.contacts);
+}
+
+void Domain::deal_parts(Engine& engine, const ContactMemory& memory)
+{
+  const Clumps& clumps = engine.clumps();
   std::vector<Parcel> parcels(ranks_.size());
   const auto owner_of = [&](std::int64_t id) {
-    return owner_[grid_.cell_of(clumps.position[clumps.index_of(id)])];
+    const int i = clumps.index_of(id);
+    return is_kept_[i] ? 0 : owner_[grid_.cell_of(clumps.position[i])];
   };
   const auto is_ours = [&](std::int64_t id) { return clumps.ghost[clumps.index_of(id)] == 0; };
   for (int i = 0; i < clumps.size(); ++i) {
     if (clumps.ghost[i] == 1) continue;
-    const int cell = grid_.cell_of(clumps.position[i]);
+    const Place place = place_of(clumps, i);
     ClumpState state = clumps.state_of(i);
-    parcels[owner_[cell]].clumps.push_back(state);
+    parcels[place.owner].clumps.push_back(state);
     state.is_ghost = true;
-    for (const int rank : ranks_near(state.position, cell, clumps.bounding_radius(i)))
-      parcels[rank].clumps.push_back(state);
+    for (const int rank : place.copies) parcels[rank].clumps.push_back(state);
+    // Kept clumps may be near that are not here yet; the first rank knows.
+    const bool near_box = kept_.keeps && kept_.box.exteriorDistance(Vector3(clumps.position[i])) <=
+                                             clumps.bounding_radius(i) + 2 * (largest_ + room_);
+    if (near_box && !place.is_on(0)) parcels[0].clumps.push_back(state);
   }
   // A contact is remembered on the ranks of both clumps; the one that had the first sends it.
-  const ContactMemory memory = engine.memory();
   for (const PairMemory& c : memory.pairs) {
     if (!is_ours(c.first)) continue;
     for (const int rank : std::set<int>{owner_of(c.first), owner_of(c.second)})
@@ -171,39 +327,52 @@ void Domain::deal(Engine& engine)
     ByteWriter writer(messages[r]);
     writer("parcel", parcels[r]);
   }
-  Parcel mine;
-  for (const Bytes& message : ranks_.exchange(messages)) {
-    Parcel parcel;
-    ByteReader reader(message);
-    reader("parcel", parcel);
-    append(mine.clumps, parcel.clumps);
-    append(mine.contacts.pairs, parcel.contacts.pairs);
-    append(mine.contacts.walls, parcel.contacts.walls);
-    append(mine.contacts.meshes, parcel.contacts.meshes);
-    append(mine.contacts.rolling, parcel.contacts.rolling);
-  }
-  std::sort(mine.clumps.begin(), mine.clumps.end(),
-            [](const ClumpState& p, const ClumpState& q) { return p.id < q.id; });
-  sort(mine.contacts);
+  const Parcel mine = Parcel::merged(ranks_.exchange(messages));
   engine.replace_clumps(mine.clumps, mine.contacts);
-  dealt_ = engine.clumps().position;
-  answer_ = 0;
-  connect(engine.clumps());
+  if (ranks_.rank() == 0 && kept_.keeps) drop_needless_ghosts(engine);
 }
 
-// Both sides find the same clumps from the cells alone, in the same order: nothing needs to be
+void Domain::drop_needless_ghosts(Engine& engine)
+{
+  find_kept(engine.clumps());
+  std::vector<ClumpState> needed;
+  for (int i = 0; i < engine.clumps().size(); ++i)
+    if (place_of(engine.clumps(), i).is_on(0)) needed.push_back(engine.clumps().state_of(i));
+  engine.replace_clumps(needed, engine.memory());
+}
+
+void Domain::gather(Engine& engine)
+{
+  if (whole_) return;
+  engine.complete_wall_forces();
+  const Clumps& clumps = engine.clumps();
+  const auto is_ours = [&](std::int64_t id) { return clumps.ghost[clumps.index_of(id)] == 0; };
+  Parcel mine;
+  for (int i = 0; i < clumps.size(); ++i)
+    if (clumps.ghost[i] == 0) mine.clumps.push_back(clumps.state_of(i));
+  mine.contacts = engine.memory();
+  mine.keep([&](std::int64_t first, std::int64_t) { return is_ours(first); });
+  Bytes message;
+  ByteWriter writer(message);
+  writer("parcel", mine);
+  const Parcel all = Parcel::merged(ranks_.all(message));
+  engine.replace_clumps(all.clumps, all.contacts);
+  engine.set_ranks({});
+  whole_ = true;
+}
+
+// Both sides find the same clumps from their places alone, in the same order: nothing needs to be
 // told.
 void Domain::connect(const Clumps& clumps)
 {
+  find_kept(clumps);
   std::map<int, std::vector<int>> ghosts_there, ghosts_here;
   for (int i = 0; i < clumps.size(); ++i) {
-    const int cell = grid_.cell_of(clumps.position[i]);
-    if (clumps.ghost[i] == 1) {
-      ghosts_here[owner_[cell]].push_back(i);
-      continue;
-    }
-    for (const int rank : ranks_near(clumps.position[i], cell, clumps.bounding_radius(i)))
-      ghosts_there[rank].push_back(i);
+    const Place place = place_of(clumps, i);
+    if (clumps.ghost[i] == 1)
+      ghosts_here[place.owner].push_back(i);
+    else
+      for (const int rank : place.copies) ghosts_there[rank].push_back(i);
   }
   const auto take = [](const std::map<int, std::vector<int>>& lists, Neighbours& neighbours) {
     neighbours = Neighbours();
@@ -217,43 +386,40 @@ void Domain::connect(const Clumps& clumps)
   };
   take(ghosts_there, to_);
   take(ghosts_here, from_);
-  if (graph_ != MPI_COMM_NULL) MPI_Comm_free(&graph_);
-  MPI_Dist_graph_create_adjacent(ranks_.comm(), static_cast<int>(from_.ranks.size()),
-                                 from_.ranks.data(), MPI_UNWEIGHTED,
-                                 static_cast<int>(to_.ranks.size()), to_.ranks.data(),
-                                 MPI_UNWEIGHTED, MPI_INFO_NULL, 0, &graph_);
+  // Of every step until the next deal.
+  disconnect();
+  constexpr int tag = 1;
+  const auto request_of = [&](Neighbours& neighbours, std::size_t k, const auto& init) {
+    requests_.emplace_back();
+    init(neighbours.numbers.data() + neighbours.begins[k], neighbours.lengths[k], MPI_DOUBLE,
+         neighbours.ranks[k], tag, ranks_.comm(), &requests_.back());
+  };
+  for (std::size_t k = 0; k < from_.ranks.size(); ++k) request_of(from_, k, MPI_Recv_init);
+  for (std::size_t k = 0; k < to_.ranks.size(); ++k) request_of(to_, k, MPI_Send_init);
 }
 
-bool Domain::has_expired(const Engine& engine)
+bool Domain::has_expired(const Engine& engine, double dt) const
 {
-  if (ranks_.size() == 1) return false; // nothing is missed without ghosts
-  const VectorField& x = engine.clumps().position;
+  if (whole_) return false;
+  const VectorField &x = engine.clumps().position, &v = engine.clumps().velocity;
   const double *x0 = x.row(0), *x1 = x.row(1), *x2 = x.row(2);
+  const double *v0 = v.row(0), *v1 = v.row(1), *v2 = v.row(2);
   const double *d0 = dealt_.row(0), *d1 = dealt_.row(1), *d2 = dealt_.row(2);
-  double moved = 0; // square
-#pragma omp simd reduction(max : moved)
+  double moved = 0, will_move = 0;
+#pragma omp simd reduction(max : moved, will_move)
   for (int i = 0; i < x.size(); ++i) {
     const double a = x0[i] - d0[i], b = x1[i] - d1[i], c = x2[i] - d2[i];
-    const double square = a * a + b * b + c * c;
-    moved = moved > square ? moved : square;
+    const double way = std::sqrt(a * a + b * b + c * c);
+    const double speed = std::sqrt(v0[i] * v0[i] + v1[i] * v1[i] + v2[i] * v2[i]);
+    const double ahead = way + notice_steps * dt * speed;
+    moved = moved > way ? moved : way;
+    will_move = will_move > ahead ? will_move : ahead;
   }
-  if (moved > room_ * room_)
-    throw std::runtime_error("A clump moved by " + std::to_string(std::sqrt(moved)) +
+  if (moved > room_)
+    throw std::runtime_error("A clump moved by " + std::to_string(moved) +
                              " m before the ranks could agree to deal the clumps anew; " +
                              std::to_string(room_) + " m were left to it.");
-  await_answer();
-  const bool expired = answer_ > 0;
-  asked_ = moved > 0.25 * room_ * room_ ? 1 : 0;
-  MPI_Iallreduce(&asked_, &answer_, 1, MPI_INT, MPI_SUM, ranks_.comm(), &question_);
-  return expired;
-}
-
-void Domain::await_answer()
-{
-  if (question_ == MPI_REQUEST_NULL)
-    answer_ = 0;
-  else
-    MPI_Wait(&question_, MPI_STATUS_IGNORE);
+  return will_move > usable * room_;
 }
 
 void Domain::refresh(Engine& engine)
@@ -263,9 +429,9 @@ void Domain::refresh(Engine& engine)
   double* out = to_.numbers.data();
   for (const int i : to_.clumps)
     for (const double* row : rows) *out++ = row[i];
-  MPI_Neighbor_alltoallv(to_.numbers.data(), to_.lengths.data(), to_.begins.data(), MPI_DOUBLE,
-                         from_.numbers.data(), from_.lengths.data(), from_.begins.data(),
-                         MPI_DOUBLE, graph_);
+  const int n = static_cast<int>(requests_.size());
+  MPI_Startall(n, requests_.data());
+  MPI_Waitall(n, requests_.data(), MPI_STATUSES_IGNORE);
   const double* in = from_.numbers.data();
   for (const int i : from_.clumps)
     for (double* row : rows) row[i] = *in++;

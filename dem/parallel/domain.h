@@ -4,7 +4,7 @@
 // ascending in id. A contact between a clump of its own and a ghost is evaluated on both ranks,
 // from the same numbers, and forces are summed in the order of ids on both; so nothing of a force
 // ever travels, and histories only with a clump that changes ranks. The loop reads
-//     if (domain.has_expired(engine)) domain.deal(engine);
+//     if (agreement.exchange(domain.has_expired(engine, dt))) domain.deal(engine);
 //     engine.compute_forces(dt);
 //     engine.kick_all(dt);
 //     engine.drift_all(dt, &engine.clumps().ghost);
@@ -17,49 +17,80 @@
 #include "dem/parallel/cell_grid.h"
 #include "dem/parallel/ranks.h"
 
+#include <Eigen/Geometry>
+
+#include <functional>
+
 namespace interlock::dem
 {
+// What only the first rank moves, a geogrid for example, and the clumps that it wants to move, too.
+// The same on all ranks: they must agree about every clump.
+struct KeptRegion {
+  Eigen::AlignedBox3d box; // around it; the clumps that it keeps reach into the box [m]
+  std::function<bool(const Clumps&, int clump)> keeps;
+  double load = 0; // what moving it costs, in clumps
+};
+
 class Domain
 {
 public:
-  // The cells must be wider than two bounding radii of the largest clump; half of the rest of their
-  // width is how far clumps may move before they are dealt anew. Collective, as all that follows.
-  Domain(const Ranks& ranks, const CellGrid& grid);
+  // At first the engine of every rank has everything. `ranks` must outlive this object.
+  explicit Domain(const Ranks& ranks) : ranks_(ranks) {}
   ~Domain();
   Domain(const Domain&) = delete;
   Domain& operator=(const Domain&) = delete;
 
-  // Gives every clump that is not a ghost to the rank that owns its cell, with what its contacts
-  // remember, and copies to the owners of neighbouring cells. Cells are first shared out anew, by
-  // the number of clumps in them, if that has become uneven. To be called when ghosts are as their
-  // originals are.
-  void deal(Engine& engine);
+  // Whether every rank has everything, none of it a ghost, as on one rank.
+  bool is_whole() const { return whole_; }
+  const Ranks& ranks() const { return ranks_; }
+  // How far clumps may move before they are dealt anew [m].
+  double room() const { return room_; }
 
-  // Whether the clumps of some rank have moved so far that they should be dealt anew now. To be
-  // called once a step. Nobody waits: what is answered is the question of the step before, and the
-  // present one is under way. Throws std::runtime_error when a clump has been too fast for that.
-  bool has_expired(const Engine& engine);
+  // Gives every clump to the rank that owns its cell, with what its contacts remember, and copies
+  // to the owners of neighbouring cells. Clumps that could touch one of the boxes of `kept` before
+  // the next deal, if those move by no more than room(), go to the first rank. Cells are first
+  // shared out anew, by the clumps in them and their contacts, if that has become uneven. To be
+  // called when ghosts are as their originals are. Collective, as all that follow.
+  void deal(Engine& engine, const KeptRegion& kept = {});
+  // Gives everything to every rank.
+  void gather(Engine& engine);
+
+  // Whether clumps of this rank have moved so far that all should be dealt anew within two steps.
+  // Throws std::runtime_error when a clump has been too fast for that. Looks at this rank alone.
+  bool has_expired(const Engine& engine, double dt) const;
 
   // Poses and the step's motion of all ghosts, from the ranks that move them.
   void refresh(Engine& engine);
 
 private:
-  struct Parcel; // for one rank: clumps and memories
-  // Ranks that need a copy of a clump with this bounding radius which is in this cell, ascending.
-  std::vector<int> ranks_near(const Vector3& x, int cell, double radius) const;
-  void share_out_cells(const Clumps& clumps);
+  struct Parcel; // clumps and memories
+  // Where a clump goes: who moves it, and who needs a copy, ascending.
+  struct Place {
+    int owner = 0;
+    std::vector<int> copies;
+    bool is_on(int rank) const;
+  };
+  Place place_of(const Clumps& clumps, int clump) const;
+  void find_kept(const Clumps& clumps);
+  bool could_touch_kept(const Clumps& clumps, int clump) const;
+  void lay_cells(const Clumps& clumps);
+  void share_out_cells(const Clumps& clumps, const ContactMemory& contacts);
+  void deal_whole(Engine& engine, ContactMemory memory);
+  void deal_parts(Engine& engine, const ContactMemory& memory);
+  void drop_needless_ghosts(Engine& engine);
   void connect(const Clumps& clumps);
-  void await_answer();
+  void disconnect();
 
   const Ranks& ranks_;
-  CellGrid grid_;
+  bool whole_ = true;
+  CellGrid grid_{Vector3::Zero(), Vector3::Ones(), 1};
   std::vector<int> owner_; // of the cells
-  VectorField dealt_;      // positions of all clumps here when they were dealt [m]
-  double room_ = 0;        // how far they may move from there [m]
-  double largest_ = 0;     // bounding radius [m]
-  // Whether somebody has used half of the room: the sum over ranks that is under way.
-  MPI_Request question_ = MPI_REQUEST_NULL;
-  int asked_ = 0, answer_ = 0;
+  KeptRegion kept_;
+  std::vector<char> is_kept_; // of the clumps here
+  std::vector<int> kept_here_;
+  VectorField dealt_;  // positions of all clumps here when they were dealt [m]
+  double room_ = 0;    // [m]
+  double largest_ = 0; // bounding radius [m]
   // Of refresh(): ranks that have ghosts of ours and of which we have ghosts, the clumps for each
   // of them one behind the other, ascending in id, and messages.
   struct Neighbours {
@@ -68,6 +99,6 @@ private:
     std::vector<double> numbers;
   };
   Neighbours to_, from_;
-  MPI_Comm graph_ = MPI_COMM_NULL;
+  std::vector<MPI_Request> requests_; // persistent, of both
 };
 } // namespace interlock::dem

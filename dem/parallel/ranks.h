@@ -4,12 +4,14 @@
 #include <mpi.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace interlock::dem
 {
 using Bytes = std::vector<std::byte>;
 
+// All functions but the first three are collective.
 class Ranks
 {
 public:
@@ -19,11 +21,18 @@ public:
   int rank() const { return rank_; }
   int size() const { return size_; }
 
-  // Sums over all ranks, entry by entry. Collective.
+  // Sums over all ranks, entry by entry.
   std::vector<int> sum(std::vector<int> mine) const;
+  void sum(std::vector<double>& numbers) const;
+  double largest(double mine) const;
   // Sends `to`[r] to each rank r, this one too, and returns what each rank has sent here. Empty
-  // messages cost nothing but their length. Collective.
+  // messages cost nothing but their length.
   std::vector<Bytes> exchange(const std::vector<Bytes>& to) const;
+  // What every rank says, by rank.
+  std::vector<Bytes> all(const Bytes& mine) const;
+  // What the given rank says; `mine` counts there only.
+  Bytes from(int rank, Bytes mine) const;
+  std::string from(int rank, const std::string& mine) const;
 
 private:
   MPI_Comm comm_;

@@ -12,8 +12,11 @@ namespace
 {
 // See select_near: steps of room for kicks, and a share of a rib's half thickness.
 constexpr double near_steps = 2, near_margin = 0.01;
+// Steps for which a clump is in the list before it may be near: so long ranks need to give it to
+// the one that moves the ribs.
+constexpr double notice_steps = 4;
 // A list shall last for so many steps, within these skins [m].
-constexpr double list_steps = 160, smallest_skin = 1e-4, largest_skin = 1e-3;
+constexpr double list_steps = 160, smallest_skin = 1e-4;
 
 auto key(const RibContact& c)
 {
@@ -56,9 +59,11 @@ void RibContacts::update_list(const Clumps& clumps, const RibSet& ribs, double t
   double thickest = 0;
   for (int r = 0; r < ribs.size(); ++r) thickest = std::max(thickest, ribs.shape(r).half_thickness);
   // Whoever select_near may choose must be in the list.
-  if (!valid_ || !watch_.holds(clumps, ribs, near_steps * time_step, near_margin * thickest)) {
+  if (!valid_ || !watch_.holds(clumps, ribs, (near_steps + notice_steps) * time_step,
+                               near_margin * thickest)) {
     build(clumps, ribs, time_step);
     valid_ = true;
+    ++builds_;
   }
   select_near(clumps, ribs, time_step);
 }

@@ -35,6 +35,9 @@ struct RibContact {
 class RibContacts
 {
 public:
+  // No list reaches farther from a rib than that [m].
+  static constexpr double largest_skin = 1e-3;
+
   RibContacts() = default;
   explicit RibContacts(ContactProperties stone_on_rib) : contact_(stone_on_rib) {}
 
@@ -43,6 +46,7 @@ public:
   // clumps were kicked.
   void update_list(const Clumps& clumps, const RibSet& ribs, double time_step);
   void invalidate() { valid_ = false; }
+  int builds() const { return builds_; } // of the list, so far
   void renumber_clumps(const std::vector<int>& new_index);
   void clear();
   // What the contacts remember, by ids of clumps, and going on from it with the same digits.
@@ -101,6 +105,7 @@ private:
 
   ContactProperties contact_;
   bool valid_ = false;
+  int builds_ = 0;
   double skin_ = 0; // [m]
   RibListWatch watch_;
   std::vector<RibContact> contacts_, old_contacts_;

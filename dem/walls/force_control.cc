@@ -1,5 +1,6 @@
 #include "dem/walls/force_control.h"
 
+#include "dem/exact_sums.h"
 #include "dem/input_error.h"
 
 #include <algorithm>
@@ -65,7 +66,8 @@ double contact_response(const std::vector<WallContact>& contacts, int wall,
 {
   double sum = 0;
   for (const WallContact& c : contacts)
-    if (c.touching && c.wall == wall) sum += response_of(pair, clumps.mass[c.i], time_step);
+    if (c.touching && c.wall == wall)
+      sum += on_grid<response_grid>(response_of(pair, clumps.mass[c.i], time_step));
   return sum;
 }
 
@@ -74,7 +76,8 @@ double contact_response(const std::vector<MeshContact>& contacts, int wall,
 {
   double sum = 0;
   for (const MeshContact& c : contacts)
-    if (c.wall == wall) sum += response_of(pair, clumps.mass[c.i], time_step);
+    if (c.wall == wall)
+      sum += on_grid<response_grid>(response_of(pair, clumps.mass[c.i], time_step));
   return sum;
 }
 

@@ -32,6 +32,7 @@ void MeshContacts::update_list(const Clumps& clumps, const std::vector<MeshWall>
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const Matrix3 to_wall = walls[w].orientation.conjugate().toRotationMatrix();
     for (std::size_t i = 0; i < n; ++i) {
+      if (clumps.ghost[static_cast<int>(i)] == 1) continue; // another rank's
       const Vector3 x = to_wall * (clumps.position[i] - walls[w].centre);
       const double skin = triangle_skin * clumps.bounding_radius(i);
       if (!((x - reference_[w * n + i]).squaredNorm() <= skin * skin))

@@ -1,6 +1,7 @@
 // The contacts of MeshContacts and their forces; the lists are in mesh_contact_list.cc.
 #include "dem/walls/mesh_contacts.h"
 
+#include "dem/exact_sums.h"
 #include "dem/input_error.h"
 
 #include <algorithm>
@@ -20,6 +21,13 @@ Vector3 relative_velocity(const MeshContact& c, const Clumps& clumps, const Mesh
   return clumps.step_velocity[c.i] + clumps.step_spin[c.i].cross(c.point - clumps.position[c.i]) -
          wall.velocity_at(c.point);
 }
+
+// What contacts of clump i lost.
+void book(const ContactEnergy& energy, int i, Clumps& clumps)
+{
+  clumps.lost.row(Clumps::to_friction)[i] += energy.friction;
+  clumps.lost.row(Clumps::to_damping)[i] += energy.damping;
+}
 } // namespace
 
 double MeshContacts::elastic_energy(const MeshContact& c, const ContactProperties& pair)
@@ -29,8 +37,7 @@ double MeshContacts::elastic_energy(const MeshContact& c, const ContactPropertie
          0.5 * pair.tangential_stiffness * c.history.spring.squaredNorm();
 }
 
-void MeshContacts::evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double time_step,
-                            ContactEnergy& energy)
+double MeshContacts::evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double time_step)
 {
   for (MeshWall& wall : walls) {
     if (wall.contact.model != ContactModel::linear)
@@ -43,9 +50,13 @@ void MeshContacts::evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double
   old_.swap(contacts_);
   contacts_.clear();
   std::size_t first = 0, last = 0; // of the old contacts of the sphere
+  double elastic = 0;
   const auto lose_all = [&](std::size_t end) {
-    for (; first < end; ++first)
+    for (; first < end; ++first) {
+      ContactEnergy energy;
       lose(old_[first], clumps, walls[old_[first].wall], time_step, energy);
+      book(energy, old_[first].i, clumps);
+    }
   };
   for (const auto& [clump_and_wall, near] : near_) {
     MeshContact sphere;
@@ -65,14 +76,18 @@ void MeshContacts::evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double
       find_contacts(*wall.surface, near, member, to_wall * (x - wall.centre), reach);
       if (kept_.empty() && first == last) continue;
       const std::size_t before = contacts_.size();
+      ContactEnergy energy;
       match(wall, clumps, sphere, first, last, time_step, energy);
       first = last;
       for (std::size_t c = before; c < contacts_.size(); ++c)
         touch(contacts_[c], relative_velocity(contacts_[c], clumps, wall), clumps, wall, time_step,
               energy);
+      book(energy, sphere.i, clumps);
+      elastic += energy.elastic;
     }
   }
   lose_all(old_.size());
+  return elastic;
 }
 
 // Leaves in kept_ the local minima of the distance from `centre` (frame of the wall) that are
@@ -174,8 +189,11 @@ void MeshContacts::touch(MeshContact& c, const Vector3& relative, Clumps& clumps
                                  relative, time_step, c.history, energy);
   clumps.force[c.i] += c.force;
   clumps.torque[c.i] += (c.point - clumps.position[c.i]).cross(c.force);
-  wall.force -= c.force;
-  wall.torque -= (c.point - wall.centre).cross(c.force);
+  // Exact sums, as those of other walls.
+  for (int k = 0; k < 3; ++k) {
+    wall.force[k] -= on_grid<force_grid>(c.force[k]);
+    wall.torque[k] -= on_grid<force_grid>((c.point - wall.centre).cross(c.force)[k]);
+  }
 }
 
 // A pressed contact that is no local minimum any more. What it stored is lost, less what its last

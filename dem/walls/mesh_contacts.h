@@ -45,13 +45,11 @@ public:
   void update_list(const Clumps& clumps, const std::vector<MeshWall>& walls);
 
   // Evaluates all contacts at the present poses, for which update_list must have been called, and
-  // advances springs by `time_step` [s]. Adds to clumps.force and clumps.torque, to all of `energy`
-  // (the elastic part included); sets force and torque of the walls.
-  // Velocities are clumps.step_velocity and .step_spin, and those of the walls' last move. Each
-  // contact has the whole stiffness (share_among_contacts is not heeded). Throws InputError for
-  // another model than the linear one.
-  void evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double time_step,
-                ContactEnergy& energy);
+  // advances springs by `time_step` [s]. Adds to clumps.force, .torque and .lost; sets force and
+  // torque of the walls. Returns the energy in the springs [J]. Velocities are clumps.step_velocity
+  // and .step_spin, and those of the walls' last move. Each contact has the whole stiffness
+  // (share_among_contacts is not heeded). Throws InputError for another model than the linear one.
+  double evaluate(Clumps& clumps, std::vector<MeshWall>& walls, double time_step);
 
   // Those that touch, sorted by (i, wall, a), then by depth.
   const std::vector<MeshContact>& contacts() const { return contacts_; }
@@ -66,7 +64,11 @@ public:
   void renumber_clumps(const std::vector<int>& new_index);
   // After walls were removed or exchanged: drops contacts of walls with index >= first.
   void forget_walls(int first);
-  void invalidate() { reference_.clear(); } // the lists; springs are kept
+  void invalidate() // the lists; springs are kept
+  {
+    reference_.clear();
+    near_.clear();
+  }
   // Energy in the springs of one contact [J], to be booked when it is dropped.
   static double elastic_energy(const MeshContact& contact, const ContactProperties& pair);
 

@@ -51,8 +51,8 @@ TEST_F(WallMesh, UnitsMustBeAboveZero)
   for (const double unit : {0., -1., std::nan("")}) expect_refused(good, {"unit"}, unit);
 }
 
-// A thousand kilometres from the origin single precision tells places 6 cm apart, five from it half a
-// millimetre.
+// A thousand kilometres from the origin single precision tells places 6 cm apart, five from it half
+// a millimetre.
 TEST_F(WallMesh, CoordinatesThatAreTooCoarseAreRefused)
 {
   const auto stl = [this](const std::string& name, double x0) {
@@ -94,6 +94,5 @@ TEST_F(WallMesh, OtherContactModelsAreRefused)
   std::vector<MeshWall> walls = {wall};
   MeshContacts contacts;
   contacts.update_list(clumps, walls);
-  ContactEnergy energy;
-  expect_refusal([&] { contacts.evaluate(clumps, walls, 1e-6, energy); }, "hopper", {"linear"});
+  expect_refusal([&] { contacts.evaluate(clumps, walls, 1e-6); }, "hopper", {"linear"});
 }

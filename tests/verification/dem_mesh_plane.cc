@@ -45,8 +45,8 @@ End run(const Start& start, int cells, int steps, double friction, double dampin
   end.position = c.position[0];
   end.velocity = c.velocity[0];
   end.spin = c.spin[0];
-  end.friction = e.contact.friction + stage.energy.friction;
-  end.damping = e.contact.damping + stage.energy.damping;
+  end.friction = e.contact.friction;
+  end.damping = e.contact.damping;
   return end;
 }
 
