@@ -55,7 +55,9 @@ ReadyExperiment heap(const coupling::HeapParameters& p, const coupling::RunReque
 // Nothing but the end of a stage interrupts what is timed.
 ReadyExperiment packing(const coupling::PackingParameters& p, const coupling::RunRequest& request)
 {
-  return staged<coupling::Packing>(p, 0, request);
+  coupling::PackingParameters mine = p;
+  if (!request.writes) mine.state.written.clear(); // another rank writes it
+  return staged<coupling::Packing>(mine, 0, request);
 }
 
 // Solves for equilibrium: there is no state to go on from but the last test that ended.
@@ -64,6 +66,8 @@ ReadyExperiment laboratory(const coupling::LaboratoryParameters& p,
 {
   if (request.resume)
     throw InputError("The experiment \"laboratory\" keeps no state to resume from; start it anew.");
+  if (request.ranks)
+    throw InputError("The experiment \"laboratory\" runs on one rank; start it without mpirun.");
   auto simulation = std::make_shared<coupling::Laboratory>(p, request.monitor);
   return [=](const coupling::RunRequest& run) { return simulation->run(run.folder); };
 }

@@ -6,6 +6,7 @@
 #include "apps/interruption.h"
 #include "apps/mpi_start.h"
 #include "apps/nearest_name.h"
+#include "apps/ranks.h"
 #include "apps/report_command.h"
 #include "apps/run_command.h"
 #include "apps/stones_command.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <functional>
 #include <iostream>
 #include <sstream>
 
@@ -31,6 +33,25 @@ void print_errors(const std::string& text)
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
     std::cerr << "interlock: error: " << line << '\n';
+}
+
+// The end of a process that has failed. Of several ranks that end alike, one speaks; one that fails
+// alone ends all.
+int fail(const int code, const std::function<void()>& speak)
+{
+  const bool together = !apps::mpi_runs() || apps::all_have_failed();
+  if (!together || !apps::mpi_runs() || apps::all_ranks().rank() == 0) speak();
+  if (!together) apps::abort_ranks(code);
+  return code;
+}
+
+// Only a run has anything to share.
+void refuse_several_ranks(const std::string& command)
+{
+  if (!apps::mpi_runs() || apps::all_ranks().size() == 1 || command == "run") return;
+  throw interlock::InputError("mpirun started " + std::to_string(apps::all_ranks().size()) +
+                              " ranks, which can share \"interlock run\" only; start this command "
+                              "without mpirun.");
 }
 
 // `interlock help` and `interlock help COMMAND`, as people type it. To be added last: the overview
@@ -117,30 +138,31 @@ int run_program(const int argc, char** argv)
       "interlock");
   try {
     add_commands(program);
-    // Several ranks would do the same several times, whatever the command.
     if (apps::started_by_launcher()) apps::start_mpi();
+    refuse_several_ranks(argc > 1 ? argv[1] : "");
     check_command(program, argc, argv);
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) std::cout << program.help();
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error); // help, version
+    if (error.get_exit_code() == 0) { // help, version
+      const bool speaks = !apps::mpi_runs() || apps::all_ranks().rank() == 0;
+      return speaks ? program.exit(error) : 0;
+    }
     // A misspelt option may be why another one is missing.
     const std::string unknown = unknown_options(program);
-    print_errors(unknown.empty() ? std::string(error.what()) + " (interlock --help)" : unknown);
-    return bad_input;
+    return fail(bad_input, [&] {
+      print_errors(unknown.empty() ? std::string(error.what()) + " (interlock --help)" : unknown);
+    });
   } catch (const interlock::InputError& error) {
-    print_errors(error.what());
-    return bad_input;
+    return fail(bad_input, [&] { print_errors(error.what()); });
   } catch (const apps::Interrupted& error) {
-    std::cerr << "interlock: " << error.what() << '\n';
-    return interrupted;
+    return fail(interrupted, [&] { std::cerr << "interlock: " << error.what() << '\n'; });
   } catch (const std::exception& error) {
     const std::string sentence = error.what();
     const bool whole = !sentence.empty() && sentence.back() == '.';
     const char* start =
         program.got_subcommand("run") ? "interlock: the run failed: " : "interlock: error: ";
-    std::cerr << start << sentence << (whole ? "\n" : ".\n");
-    return failed;
+    return fail(failed, [&] { std::cerr << start << sentence << (whole ? "\n" : ".\n"); });
   }
   return 0;
 }

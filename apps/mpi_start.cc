@@ -21,10 +21,12 @@ void refuse_strangers()
   const char* tasks = std::getenv("SLURM_STEP_NUM_TASKS");
   const char* rank = std::getenv("SLURM_PROCID");
   if (!tasks || !rank || std::atoi(tasks) <= 1) return;
-  throw InputError(std::atoi(rank) > 0 ? std::string()
-                                       : std::string("srun starts ") + tasks +
-                                             " tasks that know nothing of each other; this version "
-                                             "runs on one rank: start it with \"srun -n 1\".");
+  throw InputError(std::atoi(rank) > 0
+                       ? std::string()
+                       : std::string("srun starts ") + tasks +
+                             " tasks that know nothing of each other; start one with "
+                             "\"srun -n 1\", or several with \"mpirun\" or \"srun "
+                             "--mpi=pmix\".");
 }
 
 // Open MPI (4.1) makes a lone process a job of one rank. By default it starts a daemon for that,
@@ -55,10 +57,11 @@ void start_mpi()
   char* words[] = {name.data(), nullptr};
   char** argv = words;
   session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(n, argv, 1);
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1) return;
-  const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  throw InputError(
-      first ? "This version runs on one MPI rank; start it without mpirun or with \"-n 1\"." : "");
+}
+
+bool mpi_runs()
+{
+  return session != nullptr;
 }
 
 void stop_mpi()

@@ -10,8 +10,10 @@ bool started_by_launcher();
 
 // Initialises MPI and PETSc on the first call; later calls do nothing. A process that no launcher
 // started needs neither a daemon nor ssh, a folder for the session or Slurm's permission. Throws
-// InputError on more than one rank, on all but the first with an empty sentence: one rank speaks.
+// InputError when Slurm started several that know nothing of each other, on all but the first with
+// an empty sentence: one of them speaks.
 void start_mpi();
+bool mpi_runs(); // between start_mpi and stop_mpi
 
 // Ends what start_mpi() began. To be called before main() returns.
 void stop_mpi();

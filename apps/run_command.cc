@@ -7,6 +7,7 @@
 #include "apps/output_folder.h"
 #include "apps/parameter_file.h"
 #include "apps/progress.h"
+#include "apps/ranks.h"
 #include "apps/report_command.h"
 #include "apps/result_text.h"
 #include "apps/run_folder.h"
@@ -61,10 +62,12 @@ private:
   std::ostream stream_{early_.rdbuf()};
 };
 
+// Several ranks stop when they have agreed to, not in the middle of what one of them does.
 coupling::Monitor monitor_for(ProgressDisplay& display)
 {
-  return {[&display](const coupling::Progress& progress) {
-            throw_if_interrupted();
+  const bool alone = all_ranks().size() == 1;
+  return {[&display, alone](const coupling::Progress& progress) {
+            if (alone) throw_if_interrupted();
             display.show(progress);
           },
           [&display](const std::string& sentence) { display.message(sentence); }, is_interrupted};
@@ -101,21 +104,26 @@ nlohmann::ordered_json origin()
           {"date", date.str()}};
 }
 
-// Nothing is written before the experiment has accepted its parameters.
+// Nothing is written before the experiment has accepted its parameters. `folder` is there on the
+// rank that writes.
 coupling::Summary simulate(const RunInput& input, const coupling::RunRequest& request,
-                           RunFolder& folder, RunLog& log)
+                           std::optional<RunFolder>& folder, RunLog& log)
 {
   const ReadyExperiment experiment = input.experiment->prepare(input.parameters, request);
-  folder.take();
-  log.open(request.folder / "run.log", request.resume);
-  // A resumed run has the entries of its checkpoint, or is refused.
-  if (!request.resume) coupling::write_atomically(request.folder / "used.prm", input.used);
+  on_first_rank([&] {
+    folder->take();
+    log.open(request.folder / "run.log", request.resume);
+    // A resumed run has the entries of its checkpoint, or is refused.
+    if (!request.resume) coupling::write_atomically(request.folder / "used.prm", input.used);
+  });
 
   coupling::Summary summary = experiment(request);
-  summary.version = INTERLOCK_VERSION;
-  summary.origin = origin();
-  summary.parameters_hash = case_hash(request.folder / "used.prm");
-  coupling::write_summary(request.folder / "summary.json", summary);
+  on_first_rank([&] {
+    summary.version = INTERLOCK_VERSION;
+    summary.origin = origin();
+    summary.parameters_hash = case_hash(request.folder / "used.prm");
+    coupling::write_summary(request.folder / "summary.json", summary);
+  });
   return summary;
 }
 
@@ -163,42 +171,21 @@ coupling::RunRequest request_for(const RunArguments& arguments, const RunInput& 
   request.entries = input.entries;
   request.version = INTERLOCK_VERSION;
   request.monitor = monitor_for(display);
-  request.resume = arguments.resume && coupling::has_checkpoint(request.folder);
+  request.writes = all_ranks().rank() == 0;
+  if (all_ranks().size() > 1) request.ranks = &all_ranks();
+  // As the first rank sees the disk.
+  const bool there = coupling::has_checkpoint(request.folder);
+  request.resume = arguments.resume && all_ranks().largest(request.writes && there ? 1 : 0) > 0;
   if (arguments.resume && !request.resume)
     display.message("There is no checkpoint in " + request.folder.string() +
                     " yet: the run starts from the beginning.");
   return request;
 }
 
-void run(RunArguments arguments)
+// Tells what came out, draws it, and throws when it is not to be used.
+void close(const RunInput& input, const coupling::Summary& summary, const fs::path& folder,
+           ProgressDisplay& display)
 {
-  if (arguments.unusual) arguments.overrides.push_back("Unusual values=true");
-  const RunInput input = read_parameter_file(arguments.file, arguments.overrides);
-  start_mpi();
-  catch_interruption();
-
-  RunLog log;
-  ProgressDisplay display(std::cout, isatty(STDOUT_FILENO) != 0, log.stream());
-  const coupling::RunRequest request = request_for(arguments, input, display);
-  RunFolder owned(request.folder, request.resume    ? FolderUse::resume
-                                  : arguments.force ? FolderUse::replace
-                                                    : FolderUse::fresh);
-  if (!request.resume) check_start_state(input.entries, request.folder);
-  const fs::path& folder = request.folder;
-  coupling::Summary summary;
-  try {
-    summary = simulate(input, request, owned, log);
-  } catch (const coupling::RunStopped& stopped) {
-    const std::string sentence = stopped.checkpoint().empty()
-                                     ? "interrupted before there was a state to keep; start it anew"
-                                     : "interrupted; the state is in " + stopped.checkpoint() +
-                                           ", go on with: " + resume_line(arguments);
-    log.stream() << "Stopped: " << sentence << std::endl;
-    throw Interrupted(sentence);
-  } catch (const std::exception& error) {
-    log.stream() << "Stopped: " << error.what() << std::endl;
-    throw;
-  }
   display.message(closing_text(summary, folder));
   const bool drawn =
       !input.experiment->draws_figures(input.parameters) || draw_figures(folder) == 0;
@@ -214,6 +201,43 @@ void run(RunArguments arguments)
         "a tenth of the work or more was made or lost, see the warnings. What is in " +
         folder.string() + " is for finding out why.");
   if (!summary.not_usable.empty()) throw std::runtime_error(summary.not_usable);
+}
+
+void run(RunArguments arguments)
+{
+  if (arguments.unusual) arguments.overrides.push_back("Unusual values=true");
+  const RunInput input = read_parameter_file(arguments.file, arguments.overrides);
+  start_mpi();
+  catch_interruption();
+
+  RunLog log;
+  const bool speaks = all_ranks().rank() == 0;
+  std::ostream nowhere(nullptr);
+  ProgressDisplay display(speaks ? std::cout : nowhere, speaks && isatty(STDOUT_FILENO) != 0,
+                          log.stream());
+  const coupling::RunRequest request = request_for(arguments, input, display);
+  std::optional<RunFolder> owned;
+  on_first_rank([&] {
+    owned.emplace(request.folder, request.resume    ? FolderUse::resume
+                                  : arguments.force ? FolderUse::replace
+                                                    : FolderUse::fresh);
+    if (!request.resume) check_start_state(input.entries, request.folder);
+  });
+  coupling::Summary summary;
+  try {
+    summary = simulate(input, request, owned, log);
+  } catch (const coupling::RunStopped& stopped) {
+    const std::string sentence = stopped.checkpoint().empty()
+                                     ? "interrupted before there was a state to keep; start it anew"
+                                     : "interrupted; the state is in " + stopped.checkpoint() +
+                                           ", go on with: " + resume_line(arguments);
+    log.stream() << "Stopped: " << sentence << std::endl;
+    throw Interrupted(sentence);
+  } catch (const std::exception& error) {
+    log.stream() << "Stopped: " << error.what() << std::endl;
+    throw;
+  }
+  on_first_rank([&] { close(input, summary, request.folder, display); });
 }
 } // namespace
 

@@ -91,13 +91,20 @@ void Heap::begin(RunRecords& records) const
 
 void Heap::drop_lost_stones()
 {
-  const dem::Clumps& clumps = world_.engine.clumps();
-  std::vector<bool> gone(clumps.size());
-  for (int i = 0; i < clumps.size(); ++i)
-    gone[i] = clumps.position[i].z() < -clumps.bounding_radius(i);
-  const auto n = std::count(gone.begin(), gone.end(), true);
-  if (n == 0) return;
-  lost += static_cast<int>(n);
+  const auto below_floor = [this] {
+    const dem::Clumps& clumps = world_.engine.clumps();
+    std::vector<bool> gone(clumps.size());
+    for (int i = 0; i < clumps.size(); ++i)
+      gone[i] = clumps.position[i].z() < -clumps.bounding_radius(i);
+    return gone;
+  };
+  const auto count = [](const std::vector<bool>& gone) {
+    return static_cast<int>(std::count(gone.begin(), gone.end(), true));
+  };
+  if (!world_.any(count(below_floor()) > 0)) return;
+  world_.make_whole();
+  const std::vector<bool> gone = below_floor();
+  lost += count(gone);
   world_.remove(gone);
 }
 } // namespace interlock::coupling

@@ -45,8 +45,13 @@ public:
   const World& world() const { return world_; }
   const HeapParameters& parameters() const { return parameters_; }
 
-  // A row of history.csv and a frame when they are due, or anyway.
+  // Whether a row of history.csv or a frame is due.
+  bool is_record_due() const { return is_row_due() || is_frame_due(); }
+  // Writes what is due, or both anyway.
   void record_when_due(RunRecords& records, bool anyway = false);
+  // Keeps the largest overlap of the step that was made.
+  void note_overlap();
+  void unite_notes() { largest_overlap = world_.largest(largest_overlap); }
   // Takes out what rolled over the edge of the floor: it would fall for ever.
   void drop_lost_stones();
 
@@ -64,6 +69,9 @@ public:
   EnergyLedger ledger;                 // of the last record
 
 private:
+  bool is_row_due() const;
+  bool is_frame_due() const;
+
   HeapParameters parameters_;
   World world_;
   std::string preparation_;             // what it made, for the log

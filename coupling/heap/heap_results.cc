@@ -60,7 +60,7 @@ void record(Heap& heap, RunRecords& records)
   double height = 0;
   for (const dem::Sphere& sphere : spheres_of(heap, true))
     height = std::max(height, sphere.centre.z() + sphere.radius);
-  const dem::StableStep live = world.engine.stable_step();
+  const dem::StableStep live = world.stable_step();
   if (live.step > 0) heap.smallest_stable_step = std::min(heap.smallest_stable_step, live.step);
 
   std::vector<History::Cell> row = {world.clock.time(),
@@ -115,7 +115,7 @@ void measure_heap(const Heap& heap, RunRecords& records)
   const HeightMap map = height_map(spheres_of(heap, false), spread.centroid, reach, ray_spacing);
   const SurfaceProfile profile = surface_profile(map, spread.centroid, 0.5 * heap.mean_size);
   const Repose slope = repose(profile);
-  write_profile(records.folder() / "profile.csv", profile);
+  if (records.writes()) write_profile(records.folder() / "profile.csv", profile);
 
   nlohmann::ordered_json& r = records.summary.results;
   r["angle_of_repose_deg"] = slope.angle;
@@ -150,18 +150,31 @@ std::vector<std::string> Heap::history_columns() const
   return columns;
 }
 
-void Heap::record_when_due(RunRecords& records, bool anyway)
+void Heap::note_overlap()
 {
   largest_overlap = std::max(largest_overlap, world_.engine.largest_overlap());
-  const double time = world_.clock.time();
-  const HeapOutputParameters& output = parameters_.output;
-  if (anyway || time >= static_cast<double>(rows) * output.record_interval) {
+}
+
+bool Heap::is_row_due() const
+{
+  return world_.clock.time() >= static_cast<double>(rows) * parameters_.output.record_interval;
+}
+
+bool Heap::is_frame_due() const
+{
+  const double interval = parameters_.output.frame_interval;
+  return interval > 0 && world_.clock.time() >= static_cast<double>(frames) * interval;
+}
+
+void Heap::record_when_due(RunRecords& records, bool anyway)
+{
+  unite_notes();
+  const bool frame = anyway || is_frame_due();
+  if (anyway || is_row_due()) {
     record(*this, records);
     ++rows;
   }
-  const bool frame_due =
-      output.frame_interval > 0 && time >= static_cast<double>(frames) * output.frame_interval;
-  if (anyway || frame_due) {
+  if (frame) {
     records.add_frame(world_);
     ++frames;
   }
@@ -173,7 +186,7 @@ void Heap::finish(std::vector<Stage>&, RunRecords& records) const
   s.seed = parameters_.drop.seed;
   s.contacts = world_.engine.n_touching_spheres();
   add_ledger(s, ledger);
-  write_stones(*this, records.folder() / "stones.csv");
+  if (records.writes()) write_stones(*this, records.folder() / "stones.csv");
 
   s.results["mass_properties"] = parameters_.stones.mass_properties;
   s.results["mass_kg"] = world_.weight() / parameters_.gravity;

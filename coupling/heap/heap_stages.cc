@@ -29,9 +29,11 @@ bool let_go(const Release& planned, Heap& heap)
   if (late) release.time = time;
   const Stone& stone = heap.stones[release.stone];
   const FallingStone falling = falling_stone(stone, release, time, dt, heap.parameters().gravity);
-  if (!dem::place_is_free(world.engine.clumps(), world.engine.walls(), stone.shape,
-                          falling.pose.position, falling.pose.orientation))
+  // A stone of any rank may be in the way.
+  if (world.any(!dem::place_is_free(world.engine.clumps(), world.engine.walls(), stone.shape,
+                                    falling.pose.position, falling.pose.orientation)))
     return false;
+  world.make_whole();
   if (late) heap.longest_delay = std::max(heap.longest_delay, delay);
   world.engine.add_clump(release.stone, heap.parameters().stones.density, falling.pose.position,
                          falling.pose.orientation, falling.velocity);
@@ -57,7 +59,23 @@ StageStatus before_step(DropStage& stage, Heap& heap, RunRecords&)
         fmt::format("The place of the next stone does not become free until t = {:.3g} "
                     "s: the heap has grown up to Drop/Height.",
                     heap.world().clock.time()));
-  return running(static_cast<double>(stage.released) / all);
+  return running(static_cast<double>(stage.released) / all,
+                 heap.is_record_due() ? Look::at_everything : Look::none);
+}
+
+void after_step(DropStage&, Heap& heap, RunRecords&)
+{
+  heap.note_overlap();
+}
+
+void unite_notes(DropStage&, Heap& heap)
+{
+  heap.unite_notes();
+}
+
+void unite_notes(HeapSettleStage&, Heap& heap)
+{
+  heap.unite_notes();
 }
 
 void look(DropStage&, Heap& heap, RunRecords& records)
@@ -91,7 +109,13 @@ StageStatus before_step(HeapSettleStage& stage, Heap& heap, RunRecords& records)
       heap.at_rest_time = waited;
     }
   }
-  return running(std::min(0.99, waited / limit));
+  return running(std::min(0.99, waited / limit),
+                 stage.still || heap.is_record_due() ? Look::at_everything : Look::none);
+}
+
+void after_step(HeapSettleStage&, Heap& heap, RunRecords&)
+{
+  heap.note_overlap();
 }
 
 void look(HeapSettleStage& stage, Heap& heap, RunRecords& records)

@@ -26,7 +26,10 @@ StageStatus before_step(DropStage& stage, Heap& heap, RunRecords& records);
 StageStatus before_step(HeapSettleStage& stage, Heap& heap, RunRecords& records);
 void look(DropStage& stage, Heap& heap, RunRecords& records);
 void look(HeapSettleStage& stage, Heap& heap, RunRecords& records);
-template <class Stage> void after_step(Stage&, Heap&, RunRecords&) {}
+void unite_notes(DropStage& stage, Heap& heap);
+void unite_notes(HeapSettleStage& stage, Heap& heap);
+void after_step(DropStage& stage, Heap& heap, RunRecords& records);
+void after_step(HeapSettleStage& stage, Heap& heap, RunRecords& records);
 
 inline std::string stage_name(const DropStage&)
 {

@@ -1,6 +1,9 @@
 #include "coupling/loop/staggered_step.h"
 
+#include "coupling/loop/stopwatch.h"
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace interlock::coupling
 {
@@ -41,13 +44,23 @@ void StaggeredStep::advance(double dt, const dem::Vector3& clamp_velocity, Energ
 void StaggeredStep::move(double dt, const dem::Vector3& clamp_velocity)
 {
   kick_by_stones_and_walls(dt);
-  if (!geogrid_) {
-    engine_.drift_all(dt);
-    engine_.move_walls(dt);
-    return;
+  if (moves_geogrid()) {
+    const Stopwatch watch(geogrid_time_);
+    move_with_geogrid(dt, clamp_velocity);
+  } else
+    engine_.drift_all(dt, is_dealt() ? &engine_.clumps().ghost : nullptr);
+  if (is_dealt()) {
+    const Stopwatch watch(copy_time_);
+    domain_->refresh(engine_);
   }
+  engine_.move_walls(dt);
+}
+
+void StaggeredStep::move_with_geogrid(double dt, const dem::Vector3& clamp_velocity)
+{
   geogrid_->refresh_ribs();
   rib_contacts_.update_list(engine_.clumps(), geogrid_->ribs(), dt);
+  look_for_strangers();
   hold_near_clumps();
   engine_.drift_all(dt, &held_);
 
@@ -58,13 +71,12 @@ void StaggeredStep::move(double dt, const dem::Vector3& clamp_velocity)
   for (int s = 0; s < substeps_; ++s) substep(dt / substeps_, clamp_velocity);
   end_substeps();
   clamp_force_ /= substeps_;
-  engine_.move_walls(dt);
 }
 
 // Local damping goes by the whole unbalanced force, that of the ribs included.
 void StaggeredStep::kick_by_stones_and_walls(double dt)
 {
-  if (mean_loads_.empty() || engine_.local_damping() == 0) {
+  if (mean_loads_.empty() || engine_.local_damping() == 0 || !moves_geogrid()) {
     engine_.kick_all(dt);
     return;
   }
@@ -82,12 +94,26 @@ void StaggeredStep::kick_by_stones_and_walls(double dt)
   engine_.kick_all(dt, &other_force_, &other_torque_);
 }
 
-// The stones that may touch a rib within the step drift in its sub-steps, with the ribs.
+// Any that is in the list has some way to go before it is near.
+void StaggeredStep::look_for_strangers()
+{
+  if (!is_dealt() || rib_contacts_.builds() == seen_builds_) return;
+  seen_builds_ = rib_contacts_.builds();
+  const auto& contacts = rib_contacts_.contacts();
+  stranger_is_near_ = std::any_of(contacts.begin(), contacts.end(), [&](const dem::RibContact& c) {
+    return engine_.clumps().ghost[c.i] == 1;
+  });
+}
+
+// The stones that may touch a rib within the step drift in its sub-steps, with the ribs, and ghosts
+// not at all.
 void StaggeredStep::hold_near_clumps()
 {
-  held_.resize(0);
-  held_.resize(engine_.clumps().size());
-  for (const int i : rib_contacts_.near_clumps()) held_[i] = 1;
+  held_ = engine_.clumps().ghost;
+  for (const int i : rib_contacts_.near_clumps()) {
+    if (held_[i] == 1) throw std::logic_error("Another rank moves a stone near the geogrid.");
+    held_[i] = 1;
+  }
   near_.take(engine_.clumps(), rib_contacts_.near_clumps());
 }
 

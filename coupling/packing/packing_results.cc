@@ -47,7 +47,7 @@ void describe_energies(const TimedStage& timed, const World& world, RunRecords& 
   add_ledger(records.summary, timed.ledger);
   warn_of_ledger(timed.ledger, records);
   records.summary.ledger_closes = timed.ledger.relative_error() <= ledger_failure;
-  const dem::StableStep live = world.engine.stable_step();
+  const dem::StableStep live = world.stable_step();
   if (live.step > 0 && world.clock.dt > live.step)
     records.warn(fmt::format("The time step of {:.3g} s is above the live stable step of {:.3g} s.",
                              world.clock.dt, live.step));
@@ -60,7 +60,7 @@ void Packing::finish(std::vector<Stage>& plan, RunRecords& records) const
   Summary& s = records.summary;
   s.seed = parameters_.state.seed;
   const double steps = static_cast<double>(timed.steps), weight = world_.weight();
-  const double floor = timed.floor / steps, sides = timed.side_walls / steps;
+  const double floor = timed.floor.value() / steps, sides = timed.side_walls.value() / steps;
   s.results["kinetic_energy_J"] = timed.ledger.kinetic_stones;
   // Means over the timed steps; downwards.
   s.results["floor_force_N"] = floor;

@@ -23,6 +23,7 @@ int touching_clump_pairs(const dem::Engine& engine)
   int pairs = 0, i = -1, j = -1;
   for (const dem::SphereContact& c : engine.sphere_contacts()) { // sorted by clumps
     if (!c.touching || (c.i == i && c.j == j)) continue;
+    if (engine.clumps().ghost[c.i] == 1) continue; // another rank counts it
     i = c.i, j = c.j;
     ++pairs;
   }
@@ -59,18 +60,22 @@ double floor_force(const dem::Engine& engine)
   return -engine.walls()[0].force.z();
 }
 
-void record(const TimedStage& stage, const World& world, RunRecords& records)
+void record(const TimedStage& stage, World& world, RunRecords& records)
 {
-  const dem::Engine& engine = world.engine;
-  records.add({world.clock.time(), stage.ledger.kinetic_stones, double(engine.n_touching_spheres()),
-               double(touching_walls(engine)), engine.largest_overlap(), floor_force(engine),
-               side_wall_friction(engine), stage.ledger.relative_error()});
+  dem::Engine& engine = world.engine;
+  engine.complete_wall_forces();
+  const int spheres = world.touching_spheres();
+  const double at_walls = world.sum_of_parts(touching_walls(engine));
+  const double overlap = world.largest(world.largest_overlap());
+  records.add({world.clock.time(), stage.ledger.kinetic_stones, double(spheres), at_walls, overlap,
+               floor_force(engine), side_wall_friction(engine), stage.ledger.relative_error()});
   Summary& summary = records.summary;
-  summary.contacts = engine.n_touching_spheres();
-  summary.results["touching_sphere_pairs"] = summary.contacts;
-  summary.results["touching_clump_pairs"] = touching_clump_pairs(engine);
-  summary.results["wall_contacts"] = touching_walls(engine);
-  summary.results["largest_overlap_m"] = engine.largest_overlap();
+  summary.contacts = spheres;
+  summary.results["touching_sphere_pairs"] = spheres;
+  summary.results["touching_clump_pairs"] =
+      static_cast<int>(world.sum_of_parts(touching_clump_pairs(engine)));
+  summary.results["wall_contacts"] = static_cast<int>(at_walls);
+  summary.results["largest_overlap_m"] = overlap;
 }
 
 void check_for_missed_contacts(const World& world)
@@ -109,18 +114,26 @@ StageStatus before_step(TimedStage& stage, Packing& packing, RunRecords&)
   if (stage.done == total)
     return finished(
         fmt::format("{} of {} steps timed, between records and checks", stage.steps, total));
-  stage.look_due = is_due(stage.done, p.records, total) ||
-                   is_due(stage.done, p.state.missed_contact_checks, total);
+  const bool check_due = is_due(stage.done, p.state.missed_contact_checks, total);
+  stage.look_due = check_due || is_due(stage.done, p.records, total);
   packing.world().engine.reset_profile();
   start(stage.timer);
-  return running(double(stage.done) / total);
+  const double fraction = double(stage.done) / total;
+  if (check_due) return running(fraction, Look::at_everything); // all pairs
+  return running(fraction, stage.look_due ? Look::at_part : Look::none);
+}
+
+void unite_notes(TimedStage& stage, Packing& packing)
+{
+  const auto over_ranks = [&](double mine) { return packing.world().sum(mine); };
+  stage.floor.unite(over_ranks);
+  stage.side_walls.unite(over_ranks);
 }
 
 void look(TimedStage& stage, Packing& packing, RunRecords& records)
 {
-  if (!stage.look_due) return;
   const PackingParameters& p = packing.parameters();
-  const World& world = packing.world();
+  World& world = packing.world();
   if (!world.held) stage.ledger = world.ledger(); // stones that forces do not move have none
   if (is_due(stage.done, p.records, p.timed_steps)) record(stage, world, records);
   if (is_due(stage.done, p.state.missed_contact_checks, p.timed_steps))
@@ -134,8 +147,8 @@ void after_step(TimedStage& stage, Packing& packing, RunRecords&)
   stop(stage.timer);
   ++stage.steps;
   const dem::Engine& engine = packing.world().engine;
-  stage.floor += floor_force(engine);
-  stage.side_walls += side_wall_friction(engine);
+  stage.floor.add(floor_force(engine)); // on this rank's part of the stones
+  stage.side_walls.add(side_wall_friction(engine));
   const dem::StepProfile p = engine.profile();
   stage.profile.broad_phase += p.broad_phase;
   stage.profile.lists += p.lists;

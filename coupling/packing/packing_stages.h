@@ -33,11 +33,12 @@ struct TimedStage {
   StepTimer timer;
   // Of the steps without a look.
   std::int64_t steps = 0;
-  double floor = 0, side_walls = 0; // sums of vertical forces of the stones on walls, downwards [N]
+  dem::SharedSum floor, side_walls; // vertical forces of the stones on walls, downwards [N]
   dem::StepProfile profile;
   EnergyLedger ledger; // of the last look
 };
 
+void unite_notes(TimedStage& stage, Packing& packing);
 StageStatus before_step(WarmUpStage& stage, Packing& packing, RunRecords& records);
 StageStatus before_step(TimedStage& stage, Packing& packing, RunRecords& records);
 template <class Stage> void look(Stage&, Packing&, RunRecords&) {}
@@ -64,8 +65,8 @@ template <class Archive> void exchange(Archive& archive, TimedStage& stage)
   archive("done", stage.done);
   archive("seconds", stage.timer.seconds, "s");
   archive("steps", stage.steps);
-  archive("floor", stage.floor, "N");
-  archive("side_walls", stage.side_walls, "N");
+  archive("floor", stage.floor);
+  archive("side_walls", stage.side_walls);
   archive("broad_phase", stage.profile.broad_phase, "s");
   archive("lists", stage.profile.lists, "s");
   archive("contacts", stage.profile.contacts, "s");

@@ -19,6 +19,7 @@ const dem::Clumps& clumps_of(PullOut& experiment)
 void pour_or_level(FillStage& stage, PullOut& experiment, const RunRecords& records)
 {
   World& world = experiment.world();
+  world.make_whole(); // the surface and the new stones are everybody's
   const BoxParameters& box = experiment.parameters().box;
   const double missing = stage.height - surface_height(clumps_of(experiment), box);
   if (stage.rounds < protocol::most_rounds &&
@@ -26,7 +27,8 @@ void pour_or_level(FillStage& stage, PullOut& experiment, const RunRecords& reco
     const double bulk_density =
         protocol::expected_solid_share * experiment.parameters().stones.density;
     Pouring pouring = experiment.pouring();
-    pouring.poll = [&records] { records.throw_if_stop_requested(); };
+    // Several ranks stop at the end of a step only.
+    if (world.n_ranks() == 1) pouring.poll = [&records] { records.throw_if_stop_requested(); };
     const double fall_time =
         pour(world.engine, box, pouring, bulk_density * box.length * box.width * missing);
     ++stage.rounds;
@@ -48,6 +50,7 @@ StageStatus before_step(FillStage& stage, PullOut& experiment, RunRecords& recor
   if (stage.phase == FillStage::Phase::begin) pour_or_level(stage, experiment, records);
   if (experiment.has_settled(stage.settling, records)) {
     if (stage.phase == FillStage::Phase::levelling) {
+      experiment.world().make_whole();
       const dem::Clumps& clumps = clumps_of(experiment);
       const BoxParameters& box = experiment.parameters().box;
       return finished(

@@ -14,6 +14,7 @@ using Phase = FlattenStage::Phase;
 
 void lower_plate(FlattenStage& stage, PullOut& experiment)
 {
+  experiment.world().make_whole();
   dem::Engine& engine = experiment.world().engine;
   stage.from = highest_point(engine.clumps(), stage.height);
   dem::Wall plate =
@@ -34,6 +35,7 @@ void lift_plate(FlattenStage& stage, PullOut& experiment)
 void take_plate_away(FlattenStage& stage, PullOut& experiment)
 {
   World& world = experiment.world();
+  world.make_whole();
   world.engine.remove_walls({stage.plate});
   stage.plate = -1;
   stage.phase = Phase::settling;

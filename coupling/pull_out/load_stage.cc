@@ -60,6 +60,7 @@ dem::WallId add_plate(const PullOut& experiment, dem::Engine& engine)
 void add_surcharge(LoadStage& stage, PullOut& experiment)
 {
   World& world = experiment.world();
+  world.make_whole();
   const SurchargeParameters& surcharge = experiment.parameters().surcharge;
   if (surcharge.kind == "plate")
     experiment.surcharge_plate = add_plate(experiment, world.engine);

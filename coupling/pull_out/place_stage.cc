@@ -41,6 +41,7 @@ std::vector<bool> in_the_way(const PullOut& experiment, const RibTransfer& geogr
 void place(PlaceStage& stage, PullOut& experiment)
 {
   World& world = experiment.world();
+  world.make_whole();
   std::unique_ptr<RibTransfer> geogrid = experiment.make_geogrid();
   const std::vector<bool> removed = in_the_way(experiment, *geogrid);
   stage.taken_out = static_cast<int>(std::count(removed.begin(), removed.end(), true));

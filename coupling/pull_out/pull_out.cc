@@ -230,10 +230,13 @@ void PullOut::drop_lost_stones()
 {
   constexpr int steps_between_looks = 1000;
   if (world_.clock.step % steps_between_looks != 0) return;
+  const auto count = [](const std::vector<bool>& gone) {
+    return static_cast<int>(std::count(gone.begin(), gone.end(), true));
+  };
+  if (!world_.any(count(clumps_below_floor(world_.engine.clumps())) > 0)) return;
+  world_.make_whole();
   const std::vector<bool> gone = clumps_below_floor(world_.engine.clumps());
-  const auto n = std::count(gone.begin(), gone.end(), true);
-  if (n == 0) return;
-  lost += static_cast<int>(n);
+  lost += count(gone);
   world_.remove(gone);
 }
 

@@ -77,8 +77,9 @@ struct SettleStage {
 struct PullStage {
   static constexpr const char* kind = "pull";
   bool begun = false, over = false;
-  double begin = 0;        // [s]
-  double displacement = 0; // of the clamp [m]
+  bool is_last = false, record_due = false, frame_due = false; // of the step to come
+  double begin = 0;                                            // [s]
+  double displacement = 0;                                     // of the clamp [m]
   int records = 0, frames = 0;
   double impulse = 0, impulse_time = 0;     // of the pull force since the last record [N s], [s]
   double plate_impulse = 0;                 // of the surcharge plate since the begin [N s]
@@ -95,6 +96,7 @@ struct PullStage {
   double ledger_left_at = -1, overlap_left_at = -1, stretch_left_at = -1;
 };
 
+void unite_notes(PullStage& stage, PullOut& experiment);
 // Each in a file of its own name (fill_stage.cc, ...).
 StageStatus before_step(FillStage& stage, PullOut& experiment, RunRecords& records);
 StageStatus before_step(FlattenStage& stage, PullOut& experiment, RunRecords& records);

@@ -96,7 +96,7 @@ void record(PullStage& stage, PullOut& experiment, RunRecords& records)
   stage.record_forces.push_back(force);
   stage.filtered_forces.push_back(
       mean_over_window(stage.record_displacements, stage.record_forces, protocol::filter_length));
-  const dem::StableStep live = world.engine.stable_step(&world.ribs.rib_contacts());
+  const dem::StableStep live = world.stable_step();
   if (live.step > 0) stage.smallest_stable_step = std::min(stage.smallest_stable_step, live.step);
   const double axial = largest_axial_force(world.geogrid()->dynamics());
   stage.largest_axial_force = std::max(stage.largest_axial_force, axial);
@@ -111,9 +111,9 @@ void record(PullStage& stage, PullOut& experiment, RunRecords& records)
                                     stage.filtered_forces.back(),
                                     rear_displacement(world.geogrid()->dynamics()),
                                     axial,
-                                    static_cast<double>(world.engine.n_touching_spheres()),
+                                    static_cast<double>(world.touching_spheres()),
                                     static_cast<double>(touching),
-                                    world.largest_overlap(),
+                                    world.largest(world.largest_overlap()),
                                     static_cast<double>(world.ribs.substeps())};
   append_ledger(row, stage.ledger);
   records.add(row);
@@ -136,27 +136,39 @@ StageStatus before_step(PullStage& stage, PullOut& experiment, RunRecords& recor
     warn_of_rib_at_wall(experiment, records);
   }
   world.clamp_velocity = {-speed_after(world.clock.time() - stage.begin, p), 0, 0};
-  return running(stage.displacement / p.distance);
+  const double progress = stage.displacement / p.distance;
+  const OutputParameters& output = experiment.parameters().output;
+  stage.is_last = progress >= 1;
+  stage.record_due = stage.is_last || progress * output.records >= stage.records;
+  stage.frame_due =
+      output.field_frames > 0 && (stage.is_last || progress * output.field_frames >= stage.frames);
+  if (stage.is_last || stage.frame_due) return running(progress, Look::at_everything);
+  return running(progress, stage.record_due ? Look::at_part : Look::none);
+}
+
+void unite_notes(PullStage& stage, PullOut& experiment)
+{
+  stage.largest_overlap = experiment.world().largest(stage.largest_overlap);
 }
 
 void look(PullStage& stage, PullOut& experiment, RunRecords& records)
 {
   World& world = experiment.world();
-  const OutputParameters& output = experiment.parameters().output;
-  const double progress = stage.displacement / experiment.parameters().pull.distance;
-  stage.over = progress >= 1;
-  if (stage.over || progress * output.records >= stage.records) record(stage, experiment, records);
-  if (output.field_frames > 0 && (stage.over || progress * output.field_frames >= stage.frames)) {
+  stage.over = stage.is_last;
+  stage.largest_overlap = std::max(stage.largest_overlap, world.largest_overlap());
+  unite_notes(stage, experiment);
+  if (stage.record_due) record(stage, experiment, records);
+  if (stage.frame_due) {
     records.add_frame(world);
     ++stage.frames;
   }
-  stage.largest_overlap = std::max(stage.largest_overlap, world.largest_overlap());
 }
 
 void after_step(PullStage& stage, PullOut& experiment, RunRecords&)
 {
   World& world = experiment.world();
   const double dt = world.clock.dt;
+  stage.largest_overlap = std::max(stage.largest_overlap, world.largest_overlap());
   stage.displacement -= world.clamp_velocity.x() * dt;
   stage.impulse -= world.ribs.clamp_force().x() * dt;
   stage.impulse_time += dt;

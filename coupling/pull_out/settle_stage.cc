@@ -21,7 +21,8 @@ StageStatus before_step(SettleStage& stage, PullOut& experiment, RunRecords& rec
     wait(SettleStage::Phase::free);
     return running(0.5);
   }
-  const dem::StableStep live = world.engine.stable_step(&world.ribs.rib_contacts());
+  world.make_whole();
+  const dem::StableStep live = world.stable_step();
   describe_packing(experiment, records);
   return finished(fmt::format("kinetic energy {:.2g} J; live stable step {:.3g} us, set by a stone "
                               "of {:.1f} g with {} contacts",

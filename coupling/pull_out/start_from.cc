@@ -134,7 +134,7 @@ StageStatus before_step(AdaptStage& stage, PullOut& experiment, RunRecords&)
   if (stage.looked)
     return finished(fmt::format("time step {:.3g} us", 1e6 * experiment.world().clock.dt));
   experiment.adapt();
-  return running(0);
+  return running(0, Look::at_everything);
 }
 
 // The springs hold other energies than before, and nobody's work brought the difference: the ledger

@@ -29,25 +29,29 @@ bool is_among(const std::string& key, const std::vector<std::string>& keys_and_s
       });
 }
 
-Checkpoints::Checkpoints(std::filesystem::path folder, double interval, std::string program_version)
-    : folder_(std::move(folder)), interval_(interval), program_version_(std::move(program_version))
+Checkpoints::Checkpoints(std::filesystem::path folder, double interval, std::string program_version,
+                         bool writes)
+    : folder_(std::move(folder)), interval_(interval), program_version_(std::move(program_version)),
+      writes_(writes)
 {
 }
 
 bool Checkpoints::due() const
 {
   const std::chrono::duration<double> since = std::chrono::steady_clock::now() - last_;
-  return interval_ > 0 && since.count() >= interval_;
+  return writes_ && interval_ > 0 && since.count() >= interval_;
 }
 
 void Checkpoints::write(const StateTree& state)
 {
+  if (!writes_) return;
   write_checkpoint(file(), state, program_version_);
   last_ = std::chrono::steady_clock::now();
 }
 
 void Checkpoints::write_as(const std::string& name, const StateTree& state) const
 {
+  if (!writes_) return;
   write_state(folder_ / name, state, program_version_);
 }
 
@@ -62,6 +66,7 @@ StateTree Checkpoints::read() const
 
 void Checkpoints::clear() const
 {
+  if (!writes_) return;
   std::error_code error;
   std::filesystem::remove(file(), error);
   std::filesystem::remove(previous_of(file()), error);

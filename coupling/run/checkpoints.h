@@ -16,7 +16,10 @@ class Checkpoints
 {
 public:
   // `interval` of wall-clock time between two of them [s]; 0: at the ends of stages only.
-  Checkpoints(std::filesystem::path folder, double interval, std::string program_version);
+  // One that never `writes` reads only: it is never due, and all it should write or remove is left
+  // to another rank.
+  Checkpoints(std::filesystem::path folder, double interval, std::string program_version,
+              bool writes = true);
 
   bool due() const;
   // Replaces checkpoint.h5; the one before is kept as checkpoint.previous.h5. Throws
@@ -36,6 +39,7 @@ private:
   std::filesystem::path folder_;
   double interval_;
   std::string program_version_;
+  bool writes_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

@@ -68,7 +68,7 @@ void check_overlaps(const World& world, const PhysicsLimits& limits)
 
 void check_geogrid(const World& world, const PhysicsLimits& limits)
 {
-  if (!world.geogrid()) return;
+  if (!world.geogrid() || !world.moves_geogrid()) return;
   const fem::ExplicitDynamics& dynamics = world.geogrid()->dynamics();
   for (int node = 0; node < dynamics.lattice().n_nodes(); ++node)
     if (!dynamics.position(node).allFinite() || !dynamics.velocity(node).allFinite())

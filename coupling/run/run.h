@@ -42,12 +42,14 @@ public:
   Run(Experiment& experiment, const RunRequest& request)
       : experiment_(experiment), request_(request),
         records_(request.folder, experiment.history_columns(), request.monitor),
-        checkpoints_(request.folder, request.checkpoint_interval, request.version),
+        checkpoints_(request.folder, request.checkpoint_interval, request.version, request.writes),
         plan_(experiment.plan())
   {
+    if (!request.writes) records_.keep_to_yourself();
   }
 
-  // All stages to the end; writes history, fields and checkpoints. Throws InputError when a
+  // All stages to the end; writes history, fields and checkpoints. With several ranks each of them
+  // runs this, and does the same but for the stones that it moves. Throws InputError when a
   // checkpoint does not fit, RunFailure when the physics fails or the disk is full, RunStopped when
   // the monitor asks to stop: the state is kept then.
   Summary run()
@@ -75,12 +77,19 @@ private:
   {
     if (request_.resume) {
       resume(checkpoints_.read());
+      share();
       return;
     }
     checkpoints_.clear();
     records_.expect(request_.stage_times);
     records_.start();
     experiment_.begin(records_);
+    share();
+  }
+
+  void share()
+  {
+    if (request_.ranks) world().share_among(*request_.ranks);
   }
 
   void resume(const StateTree& state)
@@ -121,22 +130,41 @@ private:
       end_stage(status.result);
       return;
     }
+    world().begin_step(status.look == Look::at_everything);
     world().compute_forces();
-    std::visit([&](auto& s) { look(s, experiment_, records_); }, stage);
+    if (status.look != Look::none)
+      std::visit([&](auto& s) { look(s, experiment_, records_); }, stage);
     world().move();
     std::visit([&](auto& s) { after_step(s, experiment_, records_); }, stage);
 
-    if (request_.monitor.stop_requested && request_.monitor.stop_requested()) stop();
+    const bool stop_requested =
+        request_.monitor.stop_requested && request_.monitor.stop_requested();
+    const World::Wishes wishes = world().agree({stop_requested, checkpoints_.due()});
+    if (wishes.stop) stop();
     const std::int64_t step = world().clock.step;
     if (step % steps_between_checks == 0) {
       if (world().keep_below_stable_step())
         records_.message(fmt::format("The contacts have become stiffer: time step {:.3g} us.",
                                      1e6 * world().clock.dt));
-      check_physics(world(), experiment_.limits());
+      check();
+      speak_of_needless_ranks();
     }
     if (step % steps_between_progress == 0)
       records_.progress(status.fraction, world().clock, stage_ + 1, plan_.size());
-    if (checkpoints_.due()) checkpoints_.write(state());
+    if (wishes.keep) checkpoints_.write(state());
+  }
+
+  // A rank looks at its part, and all ranks end when one of them fails.
+  void check()
+  {
+    std::string failure;
+    try {
+      check_physics(world(), experiment_.limits());
+    } catch (const RunFailure& found) {
+      failure = found.what();
+    }
+    failure = world().first_sentence(failure);
+    if (!failure.empty()) throw RunFailure(failure);
   }
 
   // Stages begin with the step that their contacts allow.
@@ -152,7 +180,9 @@ private:
 
   void end_stage(const std::string& result)
   {
-    check_physics(world(), experiment_.limits());
+    check();
+    world().make_whole();
+    unite();
     const std::string sentence = records_.end_stage(result, world().clock);
     ++stage_;
     const StateTree tree = state();
@@ -172,14 +202,17 @@ private:
   void stop()
   {
     checkpoints_.write(state());
+    wait_for_writer();
     throw RunStopped(checkpoints_.file().string());
   }
 
   void finish()
   {
+    world().make_whole();
     Summary& summary = records_.summary;
     summary.version = request_.version;
     summary.experiment = Experiment::name;
+    summary.ranks = world().n_ranks();
     const dem::Clumps& clumps = world().engine.clumps();
     summary.clumps = clumps.size();
     summary.spheres = clumps.n_spheres();
@@ -189,6 +222,39 @@ private:
     summary.wall_time = records_.wall_time();
     summary.state_hash = state_hash(world());
     experiment_.finish(plan_, records_);
+    describe_ranks();
+  }
+
+  // Once, as soon as enough was measured.
+  void speak_of_needless_ranks()
+  {
+    constexpr std::int64_t enough = 10000; // steps
+    if (spoke_of_ranks_ || world().n_ranks() == 1) return;
+    const std::vector<RankTimes> times = world().times();
+    if (times.front().steps < enough) return;
+    spoke_of_ranks_ = true;
+    const BestRanks best = best_number_of_ranks(times);
+    if (best.ranks < world().n_ranks())
+      records_.message(fmt::format(
+          "{} ranks are more than these stones keep busy: by what was measured so far, {} of them "
+          "would take about {:.0f} us a step, and all of them {:.0f}.",
+          world().n_ranks(), best.ranks, 1e6 * best.best, 1e6 * best.all));
+  }
+
+  // What the ranks did with their time.
+  void describe_ranks()
+  {
+    const std::vector<RankTimes> times = world().times();
+    for (std::size_t rank = 0; rank < times.size(); ++rank) {
+      const RankTimes& t = times[rank];
+      const double us = 1e6 / std::max<double>(1, t.steps);
+      records_.message(fmt::format(
+          "rank {}: {:.0f} stones and {:.0f} ghosts in the mean; a step took {:.1f} us for forces, "
+          "{:.1f} us for the geogrid, {:.1f} us for ghosts and waiting, {:.1f} us for dealing ({} "
+          "times) and gathering ({} times)",
+          rank, t.clumps, t.ghosts, us * t.forces, us * t.geogrid, us * t.copying, us * t.sharing,
+          t.deals, t.gathers));
+    }
   }
 
   // For finding out why; nothing goes on from it.
@@ -200,10 +266,22 @@ private:
     } catch (const std::exception&) {
       // The sentence of the failure itself matters more than that of a full disk.
     }
+    wait_for_writer();
   }
+
+  void unite()
+  {
+    if (stage_ < plan_.size())
+      std::visit([&](auto& s) { unite_notes(s, experiment_); }, plan_[stage_]);
+  }
+
+  // The other ranks end together with the one that writes, not before it has done so.
+  void wait_for_writer() { world().any(false); }
 
   StateTree state()
   {
+    world().make_whole();
+    unite();
     StateTree tree;
     StateWriter archive(tree);
     std::string experiment = Experiment::name;
@@ -229,5 +307,6 @@ private:
   Checkpoints checkpoints_;
   std::vector<Stage> plan_;
   std::size_t stage_ = 0; // index of the present stage in the plan
+  bool spoke_of_ranks_ = false;
 };
 } // namespace interlock::coupling

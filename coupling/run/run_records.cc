@@ -25,12 +25,14 @@ RunRecords::RunRecords(std::filesystem::path folder, std::vector<std::string> hi
 
 void RunRecords::start()
 {
+  if (!writes_) return;
   frames_.start();
   history_.emplace(folder_ / "history.csv", columns_);
 }
 
 void RunRecords::resume()
 {
+  if (!writes_) return;
   history_.emplace(folder_ / "history.csv", columns_, rows_);
   frames_.rewind();
 }
@@ -95,7 +97,7 @@ double RunRecords::later_stages(std::size_t number) const
 
 void RunRecords::add_frame(const World& world)
 {
-  frames_.write(world.clock.time(), world.engine, world.ribs);
+  if (writes_) frames_.write(world.clock.time(), world.engine, world.ribs);
 }
 
 double RunRecords::wall_time() const

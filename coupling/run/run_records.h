@@ -22,6 +22,10 @@ public:
 
   Summary summary; // grows with the run; experiments add results
 
+  // For all ranks but the one that writes: from now on nothing is written.
+  void keep_to_yourself() { writes_ = false; }
+  bool writes() const { return writes_; }
+
   // Opens new files, or goes on with those of the run whose records have been read: rows and frames
   // beyond them are cut off. Throws InputError when a file of that run is missing.
   void start();
@@ -46,7 +50,10 @@ public:
                 std::size_t stages) const;
 
   // A row of history.csv, flushed at once.
-  void add(const std::vector<History::Cell>& row) { history_->add(row); }
+  void add(const std::vector<History::Cell>& row)
+  {
+    if (history_) history_->add(row);
+  }
   void add_frame(const World& world);
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -92,6 +99,7 @@ private:
   Monitor monitor_;
   std::optional<History> history_;
   FieldFrames frames_;
+  bool writes_ = true;
   std::int64_t rows_ = 0; // of history.csv
   std::vector<double> stage_times_;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupling/output/monitor.h"
+#include "dem/parallel/ranks.h"
 
 #include <filesystem>
 #include <string>
@@ -29,5 +30,8 @@ struct RunRequest {
   // A resumed run has those of its beginning.
   std::vector<double> stage_times;
   Monitor monitor;
+  // That share the stones; null: one. They outlive the run.
+  const dem::Ranks* ranks = nullptr;
+  bool writes = true; // the files; one of the ranks does
 };
 } // namespace interlock::coupling

@@ -97,7 +97,7 @@ StageStatus before_step(FlightStage& stage, Bounce& bounce, RunRecords&)
   if (speed > 0) stage.has_risen = true;
   if (stage.has_risen && speed <= 0)
     return finished(fmt::format("bounced up to {:.1f} mm", 1e3 * bounce.height()));
-  return running(stage.has_risen ? 0.9 : 0.5);
+  return running(stage.has_risen ? 0.9 : 0.5, Look::at_everything);
 }
 
 // The measures: a row of history.csv every millisecond.
