@@ -429,9 +429,11 @@ void Domain::refresh(Engine& engine)
   double* out = to_.numbers.data();
   for (const int i : to_.clumps)
     for (const double* row : rows) *out++ = row[i];
-  const int n = static_cast<int>(requests_.size());
-  MPI_Startall(n, requests_.data());
-  MPI_Waitall(n, requests_.data(), MPI_STATUSES_IGNORE);
+  // Open MPI takes no empty list.
+  if (const int n = static_cast<int>(requests_.size()); n > 0) {
+    MPI_Startall(n, requests_.data());
+    MPI_Waitall(n, requests_.data(), MPI_STATUSES_IGNORE);
+  }
   const double* in = from_.numbers.data();
   for (const int i : from_.clumps)
     for (double* row : rows) row[i] = *in++;
