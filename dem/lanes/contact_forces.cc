@@ -16,6 +16,8 @@
 #include "dem/lanes/contact_lanes.h"
 #include "dem/lanes/lane_geometry.h"
 
+#include <numeric>
+
 namespace interlock::dem
 {
 namespace
@@ -130,10 +132,14 @@ INTERLOCK_LANE void add_pairs(const LaneBlock& block, const LaneMoments& moments
   }
 }
 
-// `force_on_stones` is an exact sum.
+// `force_on_stones`: exact sums, in whichever lane.
 INTERLOCK_LANE void add_at_wall(const LaneBlock& block, const LaneMoments& moments,
-                                Quad& force_on_stones, BodySums::Sum* sums)
+                                LaneVector<Wide>& force_on_stones, BodySums::Sum* sums)
 {
+  const LaneVector<Wide> force = load(block.force);
+  force_on_stones.x = force_on_stones.x + on_grid<force_grid>(force.x);
+  force_on_stones.y = force_on_stones.y + on_grid<force_grid>(force.y);
+  force_on_stones.z = force_on_stones.z + on_grid<force_grid>(force.z);
   constexpr Quad with_energy{1, 1, 1, -2};
   for (int l = 0; l < lane_width; l += 4) {
     const Wrenches w(block, moments, l);
@@ -141,7 +147,6 @@ INTERLOCK_LANE void add_at_wall(const LaneBlock& block, const LaneMoments& momen
       BodySums::Sum& sum = sums[block.i[l + k]];
       sum.other_force += with_energy * w.force[k];
       sum.other_moment += with_energy * w.moment[k];
-      force_on_stones += on_grid<force_grid>(w.force[k]);
     }
   }
 }
@@ -220,13 +225,15 @@ void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, Co
     measure(blocks, n, place);
     share_contacts(segment.begin, segment.end, lanes);
   }
-  Quad on_stones{};
+  LaneVector<Wide> on_stones{0., 0., 0.};
   with_law(wall.contact, [&](auto shared, const auto& law) {
     run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
                                         [&](const LaneBlock& block, const LaneMoments& moments) {
                                           add_at_wall(block, moments, on_stones, sums.data());
                                         });
   });
-  wall.force = {-on_stones[0], -on_stones[1], -on_stones[2]};
+  Row parts[3];
+  store(parts, on_stones);
+  for (int c = 0; c < 3; ++c) wall.force[c] = -std::accumulate(parts[c], parts[c] + lane_width, 0.);
 }
 } // namespace interlock::dem
