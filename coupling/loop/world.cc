@@ -2,29 +2,10 @@
 
 #include "coupling/loop/stopwatch.h"
 
-#include "dem/parallel/byte_archive.h"
-#include "dem/ribs/rib_search.h"
-
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
-#include <stdexcept>
 
 namespace interlock::coupling
 {
-namespace
-{
-// What a geogrid costs before it was measured, in clumps of all.
-constexpr double first_guess_of_load = 0.5;
-// Stones nearer to a rib than that are moved by the rank of the geogrid [m]: farther than the list
-// of its contacts reaches, so that a stone that has just come into it is dealt anew once, and not
-// back and forth.
-constexpr double kept_distance = 2 * dem::RibContacts::largest_skin;
-
-// What ranks ask for once a step, as bits.
-constexpr int stop_bit = 1, keep_bit = 2, deal_bit = 4, inner_bit = 8, middle_bit = 16;
-} // namespace
-
 World::World(std::vector<dem::ClumpShape> shapes, const dem::ContactProperties& stone_on_stone,
              const dem::ContactProperties& stone_on_rib, double gravity)
     : engine(std::move(shapes), stone_on_stone, gravity), ribs(engine, stone_on_rib)
@@ -43,177 +24,6 @@ void World::attach_geogrid(std::unique_ptr<RibTransfer> geogrid)
   ribs.attach(*geogrid_);
 }
 
-void World::share_among(const dem::Ranks& ranks)
-{
-  if (ranks.size() == 1) return;
-  domain_.emplace(ranks);
-  if (const char* every = std::getenv("INTERLOCK_DEAL_EVERY")) deal_every_ = std::atoi(every);
-  agreement_.emplace(ranks);
-  ribs.share(*domain_);
-}
-
-void World::require_whole() const
-{
-  if (!is_whole()) throw std::logic_error("This rank has only a part of the world.");
-}
-
-// The geogrid and its contacts come from the first rank, which has moved them.
-void World::make_whole()
-{
-  if (is_whole()) return;
-  note_times();
-  const Stopwatch watch(times_.sharing);
-  dem::Bytes moved;
-  if (geogrid_) {
-    receive_geogrid();
-    dem::ByteWriter writer(moved);
-    if (domain_->ranks().rank() == 0) writer("ribs", ribs);
-    moved = domain_->ranks().from(0, std::move(moved));
-  }
-  domain_->gather(engine);
-  ++times_.gathers;
-  if (!geogrid_) return;
-  dem::ByteReader reader(moved);
-  reader("ribs", ribs);
-}
-
-void World::begin_step(bool whole)
-{
-  if (!domain_) return;
-  if (whole)
-    make_whole();
-  else if (is_whole() || deal_is_due_)
-    deal();
-}
-
-void World::deal()
-{
-  if (!is_whole()) note_times();
-  const Stopwatch watch(times_.sharing);
-  const dem::Ranks& ranks = domain_->ranks();
-  dem::KeptRegion kept;
-  std::vector<dem::RibMemory> contacts;
-  if (geogrid_) {
-    if (!is_whole()) receive_geogrid();
-    kept = kept_region();
-    if (ranks.rank() == 0) contacts = ribs.contact_memory();
-    dealt_ribs_ = geogrid_->ribs().position;
-  }
-  domain_->deal(engine, kept);
-  if (geogrid_) ribs.restore_contacts(contacts); // none but on the first rank
-  ++times_.deals;
-  deal_is_due_ = false;
-  fulfilled_ |= deal_bit;
-}
-
-// Of the steps since the last deal. The load of the geogrid by what it took; it decides who moves
-// what, and no digit.
-void World::note_times()
-{
-  times_.geogrid = ribs.geogrid_time();
-  times_.copying = ribs.copy_time();
-  const double steps = static_cast<double>(times_.steps - noted_.steps);
-  const dem::ScalarField& ghost = engine.clumps().ghost;
-  const double ghosts = static_cast<double>(std::count(ghost.begin(), ghost.end(), 1.));
-  const double clumps = engine.clumps().size() - ghosts;
-  times_.ghosts += steps * ghosts;
-  times_.clumps += steps * clumps;
-  const double forces = times_.forces - noted_.forces, geogrid = times_.geogrid - noted_.geogrid;
-  constexpr double enough = 100; // steps
-  if (steps >= enough && forces > 0) geogrid_load_ = clumps * geogrid / forces;
-  noted_ = times_;
-}
-
-std::vector<RankTimes> World::times() const
-{
-  std::vector<RankTimes> all;
-  if (!domain_) return all;
-  dem::Bytes mine(sizeof times_);
-  std::memcpy(mine.data(), &times_, sizeof times_);
-  for (const dem::Bytes& said : domain_->ranks().all(mine)) {
-    all.emplace_back();
-    std::memcpy(&all.back(), said.data(), sizeof times_);
-    const double steps = std::max<double>(1, all.back().steps);
-    all.back().clumps /= steps, all.back().ghosts /= steps;
-  }
-  return all;
-}
-
-// The motion of the geogrid, from the first rank, which moves it. Its ribs are where they are now
-// on all of them.
-void World::receive_geogrid()
-{
-  geogrid_->refresh_ribs();
-  dem::Bytes bytes;
-  dem::ByteWriter writer(bytes);
-  if (domain_->ranks().rank() == 0) writer("geogrid", *geogrid_);
-  bytes = domain_->ranks().from(0, std::move(bytes));
-  if (domain_->ranks().rank() == 0) return;
-  dem::ByteReader reader(bytes);
-  reader("geogrid", *geogrid_);
-}
-
-dem::KeptRegion World::kept_region() const
-{
-  const auto near = std::make_shared<dem::RibSurroundings>(geogrid_->ribs().all(), kept_distance);
-  dem::KeptRegion kept;
-  kept.box = near->box();
-  kept.keeps = [near](const dem::Clumps& clumps, int i) { return near->holds(clumps, i); };
-  // As measured on the first rank; it decides who moves what, and no digit.
-  const double load =
-      geogrid_load_ > 0 ? geogrid_load_ : first_guess_of_load * engine.clumps().size();
-  kept.load = domain_->ranks().largest(domain_->ranks().rank() == 0 ? load : 0);
-  return kept;
-}
-
-bool World::geogrid_has_moved() const
-{
-  if (!geogrid_ || domain_->ranks().rank() > 0) return false;
-  const dem::VectorField& x = geogrid_->ribs().position;
-  double moved = 0; // square
-  for (int e = 0; e < x.size(); ++e)
-    moved = std::max(moved, dem::Vector3(x[e] - dealt_ribs_[e]).squaredNorm());
-  const double room = domain_->room();
-  if (moved > room * room)
-    throw std::runtime_error("The geogrid moved too far before the ranks could agree to deal the "
-                             "stones anew.");
-  return moved > 0.8 * room * room;
-}
-
-World::Wishes World::agree(const Wishes& mine)
-{
-  if (!domain_) return mine;
-  const bool asked_to = deal_every_ > 0 && clock.step % deal_every_ == 0;
-  const bool deal = !is_whole() && (asked_to || domain_->has_expired(engine, clock.dt) ||
-                                    geogrid_has_moved() || ribs.stranger_is_near());
-  const dem::NeighbourLists::Levels lists = engine.expiring_lists();
-  int answer = agreement_->exchange((mine.stop ? stop_bit : 0) | (mine.keep ? keep_bit : 0) |
-                                    (deal ? deal_bit : 0) | (lists.inner ? inner_bit : 0) |
-                                    (lists.middle ? middle_bit : 0));
-  // What was asked for before it was done is asked for no more.
-  answer &= ~fulfilled_;
-  fulfilled_ = answer & keep_bit;
-  engine.renew_lists({(answer & inner_bit) != 0, (answer & middle_bit) != 0});
-  deal_is_due_ = (answer & deal_bit) != 0;
-  return {(answer & stop_bit) != 0, (answer & keep_bit) != 0};
-}
-
-double World::sum(double mine) const
-{
-  std::vector<double> numbers = {mine};
-  if (domain_) domain_->ranks().sum(numbers);
-  return numbers[0];
-}
-
-std::string World::first_sentence(const std::string& mine) const
-{
-  if (!domain_) return mine;
-  const dem::Ranks& ranks = domain_->ranks();
-  const double silent = ranks.size();
-  const double first = -ranks.largest(-(mine.empty() ? silent : ranks.rank()));
-  return first < silent ? ranks.from(static_cast<int>(first), mine) : "";
-}
-
 void World::compute_forces()
 {
   if (is_whole()) {
@@ -223,25 +33,6 @@ void World::compute_forces()
   const Stopwatch watch(times_.forces);
   engine.compute_forces(clock.dt);
   ++times_.steps;
-}
-
-dem::StableStep World::stable_step() const
-{
-  dem::StableStep step = engine.stable_step(&ribs.rib_contacts());
-  if (is_whole()) return step;
-  // Of the clumps that are moved here: those of ghosts do not know all of their contacts.
-  dem::Bytes bytes;
-  dem::ByteWriter writer(bytes);
-  writer("step", step);
-  for (const dem::Bytes& said : domain_->ranks().all(bytes)) {
-    dem::StableStep other;
-    dem::ByteReader reader(said);
-    reader("step", other);
-    const bool smaller =
-        other.step < step.step || (other.step == step.step && other.clump_id < step.clump_id);
-    if (other.step > 0 && (step.step == 0 || smaller)) step = other;
-  }
-  return step;
 }
 
 void World::follow_stable_step()

@@ -1,6 +1,6 @@
 // What contacts remember from step to step, keyed by the ids of the bodies: how histories are kept
-// in a checkpoint and how they will travel with a clump. Only contacts that hold something are in
-// it; all others start from zero.
+// in a checkpoint and how they travel with a clump that changes ranks. Only contacts that hold
+// something are in it; all others start from zero.
 #pragma once
 
 #include "dem/contacts/contact_law.h"

@@ -78,7 +78,7 @@ private:
 void evaluate_pairs(const BodyRecords& bodies, const ContactProperties& pair, double dt,
                     ContactLanes& lanes, BodySums& sums);
 // The same for the lanes of one wall, whose force is set, too; the clumps' sums as other bodies are
-// added to. Friction and damping are added to `energy`.
+// added to.
 void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, ContactLanes& lanes,
                    BodySums& sums, Wall& wall);
 

@@ -1,46 +1,19 @@
 #include "dem/parallel/domain.h"
 
-#include "dem/parallel/byte_archive.h"
+#include "dem/parallel/parcel.h"
 #include "dem/parallel/partition.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 
 namespace interlock::dem
 {
-template <class Archive> void exchange(Archive& archive, ClumpState& s)
-{
-  archive("id", s.id);
-  archive("shape", s.shape);
-  archive("kind", s.kind);
-  archive("mass", s.mass, "kg");
-  archive("inertia", s.inertia, "kg m2");
-  archive("position", s.position, "m");
-  archive("orientation", s.orientation);
-  archive("velocity", s.velocity, "m/s");
-  archive("angular_momentum", s.angular_momentum, "kg m2/s");
-  archive("drift_velocity", s.drift_velocity, "m/s");
-  archive("spin", s.spin, "rad/s");
-  archive("step_velocity", s.step_velocity, "m/s");
-  archive("step_spin", s.step_spin, "rad/s");
-  archive("force", s.force, "N");
-  archive("torque", s.torque, "N m");
-  archive("lost", s.lost, "J");
-  archive("is_ghost", s.is_ghost);
-}
-
 namespace
 {
-// Numbers of a ghost: position, attitude, velocity and spin of the step.
-constexpr int numbers_of_a_ghost = 13;
 // Largest load of a rank over its share with which cells stay where they are.
 constexpr double fair = 1.05;
 // Over the largest bounding radius: half of what is more than two is how far clumps may move.
@@ -50,99 +23,7 @@ constexpr int cost_of_a_clump = 3;
 // Clumps are dealt anew when one will have gone that share of its way in so many steps, at the
 // speed that it has: two pass until all ranks know.
 constexpr double usable = 0.95, notice_steps = 4;
-
-std::array<double*, numbers_of_a_ghost> rows_of_a_ghost(Clumps& clumps)
-{
-  VectorField &x = clumps.position, &v = clumps.step_velocity, &w = clumps.step_spin;
-  QuaternionField& q = clumps.orientation;
-  return {x.row(0), x.row(1), x.row(2), q.row(0), q.row(1), q.row(2), q.row(3),
-          v.row(0), v.row(1), v.row(2), w.row(0), w.row(1), w.row(2)};
-}
-
-template <class T> void append(std::vector<T>& to, const std::vector<T>& from)
-{
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-// In the order that ContactMemory promises.
-void sort(ContactMemory& memory)
-{
-  std::sort(memory.pairs.begin(), memory.pairs.end(), [](const auto& p, const auto& q) {
-    return std::tie(p.first, p.second, p.a, p.b) < std::tie(q.first, q.second, q.a, q.b);
-  });
-  std::sort(memory.walls.begin(), memory.walls.end(), [](const auto& p, const auto& q) {
-    return std::tie(p.wall, p.clump, p.a) < std::tie(q.wall, q.clump, q.a);
-  });
-  // Those of one member with one wall stay as the engine found them.
-  std::stable_sort(memory.meshes.begin(), memory.meshes.end(), [](const auto& p, const auto& q) {
-    return std::tie(p.clump, p.wall, p.a) < std::tie(q.clump, q.wall, q.a);
-  });
-  std::sort(memory.rolling.begin(), memory.rolling.end(), [](const auto& p, const auto& q) {
-    return std::tie(p.kind, p.first, p.second, p.a, p.b) <
-           std::tie(q.kind, q.first, q.second, q.a, q.b);
-  });
-}
 } // namespace
-
-struct Domain::Parcel {
-  std::vector<ClumpState> clumps;
-  ContactMemory contacts;
-
-  // Lets go of the contacts for which `wanted` is false: of their clump and of the second one, or
-  // -1 at walls.
-  template <class Function> void keep(const Function& wanted)
-  {
-    const auto filter = [](auto& list, const auto& is_wanted) {
-      list.erase(
-          std::remove_if(list.begin(), list.end(), [&](const auto& c) { return !is_wanted(c); }),
-          list.end());
-    };
-    filter(contacts.pairs, [&](const PairMemory& c) { return wanted(c.first, c.second); });
-    filter(contacts.walls, [&](const WallMemory& c) { return wanted(c.clump, -1); });
-    filter(contacts.meshes, [&](const MeshMemory& c) { return wanted(c.clump, -1); });
-    filter(contacts.rolling,
-           [&](const RollingMemory& c) { return wanted(c.first, c.kind == 0 ? c.second : -1); });
-  }
-
-  // Of several messages, clumps ascending, contacts in the order that ContactMemory promises.
-  static Parcel merged(const std::vector<Bytes>& messages);
-
-  template <class Archive> friend void exchange(Archive& archive, Parcel& parcel)
-  {
-    archive("clumps", parcel.clumps);
-    archive("contacts", parcel.contacts);
-  }
-};
-
-Domain::Parcel Domain::Parcel::merged(const std::vector<Bytes>& messages)
-{
-  Parcel all;
-  for (const Bytes& message : messages) {
-    Parcel parcel;
-    ByteReader reader(message);
-    reader("parcel", parcel);
-    append(all.clumps, parcel.clumps);
-    append(all.contacts.pairs, parcel.contacts.pairs);
-    append(all.contacts.walls, parcel.contacts.walls);
-    append(all.contacts.meshes, parcel.contacts.meshes);
-    append(all.contacts.rolling, parcel.contacts.rolling);
-  }
-  std::sort(all.clumps.begin(), all.clumps.end(),
-            [](const ClumpState& p, const ClumpState& q) { return p.id < q.id; });
-  sort(all.contacts);
-  return all;
-}
-
-Domain::~Domain()
-{
-  disconnect();
-}
-
-void Domain::disconnect()
-{
-  for (MPI_Request& request : requests_) MPI_Request_free(&request);
-  requests_.clear();
-}
 
 bool Domain::Place::is_on(int rank) const
 {
@@ -235,10 +116,10 @@ void Domain::share_out_cells(const Clumps& clumps, const ContactMemory& contacts
   const std::vector<double> shares =
       fair_shares(std::accumulate(cost.begin(), cost.end(), 0.), kept, ranks_.size());
   if (!owner_.empty()) {
-    std::vector<int> load(ranks_.size(), 0);
-    for (int cell = 0; cell < grid_.size(); ++cell) load[owner_[cell]] += cost[cell];
+    std::vector<int> of_rank(ranks_.size(), 0);
+    for (int cell = 0; cell < grid_.size(); ++cell) of_rank[owner_[cell]] += cost[cell];
     bool is_fair = true;
-    for (int r = 0; r < ranks_.size(); ++r) is_fair = is_fair && load[r] <= fair * shares[r] + 1;
+    for (int r = 0; r < ranks_.size(); ++r) is_fair = is_fair && of_rank[r] <= fair * shares[r] + 1;
     if (is_fair) return;
   }
   owner_ = partition(grid_, cost, shares);
@@ -322,11 +203,8 @@ void Domain::deal_parts(Engine& engine, const ContactMemory& memory)
     for (const int rank : ranks) parcels[rank].contacts.rolling.push_back(c);
   }
 
-  std::vector<Bytes> messages(ranks_.size());
-  for (int r = 0; r < ranks_.size(); ++r) {
-    ByteWriter writer(messages[r]);
-    writer("parcel", parcels[r]);
-  }
+  std::vector<Bytes> messages;
+  for (const Parcel& parcel : parcels) messages.push_back(parcel.packed());
   const Parcel mine = Parcel::merged(ranks_.exchange(messages));
   engine.replace_clumps(mine.clumps, mine.contacts);
   if (ranks_.rank() == 0 && kept_.keeps) drop_needless_ghosts(engine);
@@ -352,10 +230,7 @@ void Domain::gather(Engine& engine)
     if (clumps.ghost[i] == 0) mine.clumps.push_back(clumps.state_of(i));
   mine.contacts = engine.memory();
   mine.keep([&](std::int64_t first, std::int64_t) { return is_ours(first); });
-  Bytes message;
-  ByteWriter writer(message);
-  writer("parcel", mine);
-  const Parcel all = Parcel::merged(ranks_.all(message));
+  const Parcel all = Parcel::merged(ranks_.all(mine.packed()));
   engine.replace_clumps(all.clumps, all.contacts);
   engine.set_ranks({});
   whole_ = true;
@@ -366,7 +241,7 @@ void Domain::gather(Engine& engine)
 void Domain::connect(const Clumps& clumps)
 {
   find_kept(clumps);
-  std::map<int, std::vector<int>> ghosts_there, ghosts_here;
+  Halo::ClumpsOfRanks ghosts_there, ghosts_here;
   for (int i = 0; i < clumps.size(); ++i) {
     const Place place = place_of(clumps, i);
     if (clumps.ghost[i] == 1)
@@ -374,28 +249,7 @@ void Domain::connect(const Clumps& clumps)
     else
       for (const int rank : place.copies) ghosts_there[rank].push_back(i);
   }
-  const auto take = [](const std::map<int, std::vector<int>>& lists, Neighbours& neighbours) {
-    neighbours = Neighbours();
-    for (const auto& [rank, list] : lists) {
-      neighbours.ranks.push_back(rank);
-      neighbours.begins.push_back(numbers_of_a_ghost * static_cast<int>(neighbours.clumps.size()));
-      neighbours.lengths.push_back(numbers_of_a_ghost * static_cast<int>(list.size()));
-      append(neighbours.clumps, list);
-    }
-    neighbours.numbers.resize(numbers_of_a_ghost * neighbours.clumps.size());
-  };
-  take(ghosts_there, to_);
-  take(ghosts_here, from_);
-  // Of every step until the next deal.
-  disconnect();
-  constexpr int tag = 1;
-  const auto request_of = [&](Neighbours& neighbours, std::size_t k, const auto& init) {
-    requests_.emplace_back();
-    init(neighbours.numbers.data() + neighbours.begins[k], neighbours.lengths[k], MPI_DOUBLE,
-         neighbours.ranks[k], tag, ranks_.comm(), &requests_.back());
-  };
-  for (std::size_t k = 0; k < from_.ranks.size(); ++k) request_of(from_, k, MPI_Recv_init);
-  for (std::size_t k = 0; k < to_.ranks.size(); ++k) request_of(to_, k, MPI_Send_init);
+  halo_.connect(ghosts_there, ghosts_here);
 }
 
 bool Domain::has_expired(const Engine& engine, double dt) const
@@ -420,27 +274,5 @@ bool Domain::has_expired(const Engine& engine, double dt) const
                              " m before the ranks could agree to deal the clumps anew; " +
                              std::to_string(room_) + " m were left to it.");
   return will_move > usable * room_;
-}
-
-void Domain::refresh(Engine& engine)
-{
-  Clumps& clumps = engine.clumps();
-  const std::array<double*, numbers_of_a_ghost> rows = rows_of_a_ghost(clumps);
-  double* out = to_.numbers.data();
-  for (const int i : to_.clumps)
-    for (const double* row : rows) *out++ = row[i];
-  // Open MPI takes no empty list.
-  if (const int n = static_cast<int>(requests_.size()); n > 0) {
-    MPI_Startall(n, requests_.data());
-    MPI_Waitall(n, requests_.data(), MPI_STATUSES_IGNORE);
-  }
-  const double* in = from_.numbers.data();
-  for (const int i : from_.clumps)
-    for (double* row : rows) row[i] = *in++;
-  // Lists go by these.
-  for (const int i : from_.clumps) {
-    clumps.velocity[i] = clumps.step_velocity[i];
-    clumps.spin[i] = clumps.step_spin[i];
-  }
 }
 } // namespace interlock::dem

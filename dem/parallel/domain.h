@@ -15,6 +15,7 @@
 
 #include "dem/engine/engine.h"
 #include "dem/parallel/cell_grid.h"
+#include "dem/parallel/halo.h"
 #include "dem/parallel/ranks.h"
 
 #include <Eigen/Geometry>
@@ -35,10 +36,7 @@ class Domain
 {
 public:
   // At first the engine of every rank has everything. `ranks` must outlive this object.
-  explicit Domain(const Ranks& ranks) : ranks_(ranks) {}
-  ~Domain();
-  Domain(const Domain&) = delete;
-  Domain& operator=(const Domain&) = delete;
+  explicit Domain(const Ranks& ranks) : ranks_(ranks), halo_(ranks.comm()) {}
 
   // Whether every rank has everything, none of it a ghost, as on one rank.
   bool is_whole() const { return whole_; }
@@ -47,23 +45,24 @@ public:
   double room() const { return room_; }
 
   // Gives every clump to the rank that owns its cell, with what its contacts remember, and copies
-  // to the owners of neighbouring cells. Clumps that could touch one of the boxes of `kept` before
-  // the next deal, if those move by no more than room(), go to the first rank. Cells are first
-  // shared out anew, by the clumps in them and their contacts, if that has become uneven. To be
-  // called when ghosts are as their originals are. Collective, as all that follow.
+  // to the ranks that own cells near it. Those that `kept` keeps go to the first rank, which also
+  // gets copies of all that could touch them, or reach into the region's box, before the next deal;
+  // the region may move by room() until then. Cells are first shared out anew, by the clumps in
+  // them and their contacts, if that has become uneven. To be called when ghosts are as their
+  // originals are. Collective, as all that follow but has_expired(). Throws std::runtime_error when
+  // METIS cannot divide the cells.
   void deal(Engine& engine, const KeptRegion& kept = {});
   // Gives everything to every rank.
   void gather(Engine& engine);
 
-  // Whether clumps of this rank have moved so far that all should be dealt anew within two steps.
-  // Throws std::runtime_error when a clump has been too fast for that. Looks at this rank alone.
+  // Whether clumps of this rank have moved so far that all should be dealt anew within two steps of
+  // `dt` [s]. Throws std::runtime_error when a clump has been too fast for that.
   bool has_expired(const Engine& engine, double dt) const;
 
   // Poses and the step's motion of all ghosts, from the ranks that move them.
-  void refresh(Engine& engine);
+  void refresh(Engine& engine) { halo_.refresh(engine.clumps()); }
 
 private:
-  struct Parcel; // clumps and memories
   // Where a clump goes: who moves it, and who needs a copy, ascending.
   struct Place {
     int owner = 0;
@@ -79,7 +78,6 @@ private:
   void deal_parts(Engine& engine, const ContactMemory& memory);
   void drop_needless_ghosts(Engine& engine);
   void connect(const Clumps& clumps);
-  void disconnect();
 
   const Ranks& ranks_;
   bool whole_ = true;
@@ -91,14 +89,6 @@ private:
   VectorField dealt_;  // positions of all clumps here when they were dealt [m]
   double room_ = 0;    // [m]
   double largest_ = 0; // bounding radius [m]
-  // Of refresh(): ranks that have ghosts of ours and of which we have ghosts, the clumps for each
-  // of them one behind the other, ascending in id, and messages.
-  struct Neighbours {
-    std::vector<int> ranks, lengths, begins; // in numbers
-    std::vector<int> clumps;
-    std::vector<double> numbers;
-  };
-  Neighbours to_, from_;
-  std::vector<MPI_Request> requests_; // persistent, of both
+  Halo halo_;
 };
 } // namespace interlock::dem
