@@ -48,7 +48,8 @@ int fail(const int code, const std::function<void()>& speak)
 // Only a run has anything to share.
 void refuse_several_ranks(const std::string& command)
 {
-  if (!apps::mpi_runs() || apps::all_ranks().size() == 1 || command == "run") return;
+  const bool asks_only = !command.empty() && command.front() == '-'; // --version, --help
+  if (!apps::mpi_runs() || apps::all_ranks().size() == 1 || command == "run" || asks_only) return;
   throw interlock::InputError("mpirun started " + std::to_string(apps::all_ranks().size()) +
                               " ranks, which can share \"interlock run\" only; start this command "
                               "without mpirun.");
