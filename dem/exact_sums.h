@@ -24,15 +24,18 @@ template <int exponent, class Number> Number on_grid(const Number& x)
 constexpr int force_grid = -34;
 // How much such a force changes by the speed of the wall: to 1e-8 N s/m, up to 1e8 N s/m.
 constexpr int response_grid = -26;
+// What contacts with ribs do in a sub-step: to 9e-16 J, up to 8 J in all.
+constexpr int energy_grid = -50;
 
-// An exact sum over many steps of forces on the force grid, of which each rank adds its own part.
-class SharedSum
+// An exact sum over many steps of numbers on the grid 2^`grid`, of which each rank adds its own
+// part.
+template <int grid> class SharedSum
 {
 public:
-  // The force on a wall, or a sum of such [N].
-  void add(double force)
+  // Less than 2^(63 + grid).
+  void add(double number)
   {
-    since_ += static_cast<std::int64_t>(std::llround(std::ldexp(force, -force_grid)));
+    since_ += static_cast<std::int64_t>(std::llround(std::ldexp(number, -grid)));
   }
   // Makes it the same on all ranks; `sum` adds a number over them.
   template <class Sum> void unite(const Sum& sum)
@@ -44,7 +47,14 @@ public:
     since_ = 0;
   }
   // As of the last unite().
-  double value() const { return std::ldexp(static_cast<double>(before_), force_grid); }
+  double value() const { return std::ldexp(static_cast<double>(before_), grid); }
+  // With what was added since.
+  template <class Sum> double value(const Sum& sum) const
+  {
+    SharedSum all = *this;
+    all.unite(sum);
+    return all.value();
+  }
 
   // Of a sum that is united.
   template <class Archive> friend void exchange(Archive& archive, SharedSum& sum)

@@ -7,22 +7,18 @@ namespace interlock::coupling
 BestRanks best_number_of_ranks(const std::vector<RankTimes>& times)
 {
   const int n = static_cast<int>(times.size());
-  double stones = 0, geogrid = 0, kept = 0, copying = 0; // of a step
+  double stones = 0, lattice = 0, messages = 0; // of a step
   for (const RankTimes& t : times) {
     const double steps = std::max<double>(1, static_cast<double>(t.steps));
     // A pair of a stone and a ghost is evaluated twice.
     const double own = t.clumps + 0.5 * t.ghosts > 0 ? t.clumps / (t.clumps + 0.5 * t.ghosts) : 1;
-    stones += own * t.forces / steps;
-    geogrid = std::max(geogrid, t.geogrid / steps);
-    copying = copying == 0 ? t.copying / steps : std::min(copying, t.copying / steps);
-    copying += &t == &times.back() ? t.sharing / steps : 0;
-    if (t.geogrid > 0.5 * t.forces) kept = own * t.forces / steps;
+    stones += (own * t.forces + t.ribs) / steps;
+    lattice = std::max(lattice, t.lattice / steps);
+    messages = messages == 0 ? t.messages / steps : std::min(messages, t.messages / steps);
+    messages += &t == &times.back() ? t.sharing / steps : 0;
   }
   const auto step = [&](int ranks) {
-    if (ranks == 1) return stones + geogrid;
-    const double busiest =
-        geogrid > 0 ? std::max(geogrid + kept, (stones + geogrid) / ranks) : stones / ranks;
-    return busiest + copying;
+    return stones / ranks + lattice + (ranks == 1 ? 0 : messages);
   };
   BestRanks result;
   result.best = step(1);

@@ -10,18 +10,19 @@ namespace interlock::coupling
 // gathering between them. Wall-clock [s].
 struct RankTimes {
   std::int64_t steps = 0;
-  double forces = 0;  // of the contacts between stones, and at walls
-  double geogrid = 0; // with what is near it
-  double copying = 0; // ghosts, waiting for their ranks included
-  double sharing = 0; // dealing and gathering
+  double forces = 0;   // of the contacts between stones, and at walls
+  double ribs = 0;     // of the contacts with ribs, and moving stones at them
+  double lattice = 0;  // of the geogrid, which each rank near it moves itself
+  double messages = 0; // copies of ghosts, loads on ribs; waiting for other ranks included
+  double sharing = 0;  // dealing and gathering
   std::int64_t deals = 0, gathers = 0;
   double clumps = 0, ghosts = 0; // mean numbers here [-]
 };
 
 // The number of ranks, up to that of `times`, with which a step is expected to be fastest, and the
 // times that are expected for a step with that number and with all [s]. The work of the stones is
-// divided, that of the geogrid stays with one rank, and copying costs what it costs the rank that
-// waits least.
+// divided, every rank moves the geogrid, and messages cost what they cost the rank that waits
+// least.
 struct BestRanks {
   int ranks = 1;
   double best = 0, all = 0; // [s]

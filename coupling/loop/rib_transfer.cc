@@ -94,11 +94,10 @@ void RibTransfer::apply(const std::vector<dem::RodLoads>& loads)
       dynamics_.add_end_load(load.rib, end, load.force[end], load.moment[end]);
 }
 
-int RibTransfer::required_substeps(double dt, const dem::RibContacts& contacts) const
+std::vector<NodeRate> RibTransfer::contact_rates(const dem::RibContacts& contacts) const
 {
-  if (rigid_) return 1;
-  const dem::ContactProperties& pair = contacts.properties();
-  std::vector<double> rate(lattice().n_nodes(), 0.); // bound on omega^2 of the contacts [1/s2]
+  constexpr double shift = 1.5 * static_cast<double>(1ull << 62); // rounds to multiples of 2^10
+  std::vector<NodeRate> rates;
   for (const dem::RibContact& c : contacts.contacts()) {
     if (c.overlap <= 0) continue;
     const int first = ribs_.shape(c.rib).first_end;
@@ -120,16 +119,26 @@ int RibTransfer::required_substeps(double dt, const dem::RibContacts& contacts) 
       dragged[end] =
           std::max((share + arm / length) / std::sqrt(m), share * std::sqrt(1 / m + arm * arm / j));
     }
-    const dem::TangentStiffness k = dem::tangent_stiffness(pair, c.overlap, c.radius);
+    const dem::TangentStiffness k =
+        dem::tangent_stiffness(contacts.properties(), c.overlap, c.radius);
     // Blocks of k v v^T, bounded node by node as by Gershgorin.
-    for (int end : {0, 1})
-      rate[lattice().element(c.rib).node[end]] +=
-          std::max(k.normal * pushed[end] * (pushed[0] + pushed[1]),
-                   k.tangential * dragged[end] * (dragged[0] + dragged[1]));
+    for (int end : {0, 1}) {
+      const double rate = std::max(k.normal * pushed[end] * (pushed[0] + pushed[1]),
+                                   k.tangential * dragged[end] * (dragged[0] + dragged[1]));
+      rates.push_back({lattice().element(c.rib).node[end], (rate + shift) - shift});
+    }
   }
-  const double beam = 2 / dynamics_.stable_step();
-  const double fastest = *std::max_element(rate.begin(), rate.end());
-  const double z = pair.damping_ratio;
+  return rates;
+}
+
+int RibTransfer::required_substeps(double dt, const std::vector<NodeRate>& rates,
+                                   double damping_ratio) const
+{
+  if (rigid_) return 1;
+  std::vector<double> sums(lattice().n_nodes(), 0.);
+  for (const NodeRate& at : rates) sums[at.node] += at.rate;
+  const double fastest = *std::max_element(sums.begin(), sums.end());
+  const double beam = 2 / dynamics_.stable_step(), z = damping_ratio;
   const double stable = 2 / std::sqrt(beam * beam + fastest) * (std::sqrt(1 + z * z) - z);
   return std::max(2, static_cast<int>(std::ceil(dt / (0.75 * stable))));
 }

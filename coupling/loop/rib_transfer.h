@@ -6,10 +6,17 @@
 #include "dem/ribs/rib_contacts.h"
 #include "fem/explicit/explicit_dynamics.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace interlock::coupling
 {
+// A bound on the squared frequencies that contacts give a node of the lattice [1/s2].
+struct NodeRate {
+  std::int64_t node;
+  double rate; // a multiple of 1024: sums of them know no order
+};
+
 // Owns the lattice, its motion and its clamp. Rib r of dem is element r of fem: that is the whole
 // map between them.
 class RibTransfer
@@ -37,11 +44,13 @@ public:
   // Puts the loads of stones on the lattice, in their order, instead of those before.
   void apply(const std::vector<dem::RodLoads>& loads);
 
-  // Number of equal sub-steps in a step `dt` that keeps beams and the contacts of `contacts`
-  // stable: 1/h^2 = 1/h_beam^2 + the largest sum, over the contacts at one node, of k N (1/m +
-  // arm^2/J) / 4, with the dashpot's factor sqrt(1 + z^2) - z and a margin of 0.75 (a dashpot at a
-  // lever arm shortens the step more than that factor says). At least 2; 1 for a rigid geogrid.
-  int required_substeps(double dt, const dem::RibContacts& contacts) const;
+  // What each contact adds to the bounds of the nodes that it loads: k N (1/m + arm^2/J).
+  std::vector<NodeRate> contact_rates(const dem::RibContacts& contacts) const;
+  // Number of equal sub-steps in a step `dt` [s] that keeps beams and contacts stable: 1/h^2 =
+  // 1/h_beam^2 + the largest sum, over the contacts at one node, of its rates / 4, with the
+  // dashpot's factor sqrt(1 + z^2) - z and a margin of 0.75 (a dashpot at a lever arm shortens the
+  // step more than that factor says). At least 2; 1 for a rigid geogrid.
+  int required_substeps(double dt, const std::vector<NodeRate>& rates, double damping_ratio) const;
 
   double mass() const { return lattice().mass(); } // [kg]
 

@@ -3,7 +3,7 @@
 #include "coupling/loop/stopwatch.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <utility>
 
 namespace interlock::coupling
 {
@@ -28,9 +28,7 @@ void StaggeredStep::attach(RibTransfer& geogrid)
 void StaggeredStep::remove_clumps(const std::vector<bool>& remove)
 {
   // Their springs at ribs go with them, from this moment on.
-  const double gone = rib_contacts_.elastic_energy_of(remove);
-  rib_energy_.elastic -= gone;
-  rib_energy_removed_ += gone;
+  rib_energy_removed_ += rib_contacts_.elastic_energy_of(remove);
   rib_contacts_.renumber_clumps(engine_.remove_clumps(remove));
 }
 
@@ -44,10 +42,9 @@ void StaggeredStep::advance(double dt, const dem::Vector3& clamp_velocity, Energ
 void StaggeredStep::move(double dt, const dem::Vector3& clamp_velocity)
 {
   kick_by_stones_and_walls(dt);
-  if (moves_geogrid()) {
-    const Stopwatch watch(geogrid_time_);
+  if (geogrid_ && moves_geogrid())
     move_with_geogrid(dt, clamp_velocity);
-  } else
+  else
     engine_.drift_all(dt, is_dealt() ? &engine_.clumps().ghost : nullptr);
   if (is_dealt()) {
     const Stopwatch watch(copy_time_);
@@ -58,13 +55,13 @@ void StaggeredStep::move(double dt, const dem::Vector3& clamp_velocity)
 
 void StaggeredStep::move_with_geogrid(double dt, const dem::Vector3& clamp_velocity)
 {
+  const Stopwatch watch(is_dealt() ? &geogrid_time_ : nullptr);
   geogrid_->refresh_ribs();
   rib_contacts_.update_list(engine_.clumps(), geogrid_->ribs(), dt);
-  look_for_strangers();
   hold_near_clumps();
   engine_.drift_all(dt, &held_);
 
-  const int required = geogrid_->required_substeps(dt, rib_contacts_);
+  const int required = required_substeps(dt);
   // A rigid geogrid needs one, also where a flexible one has been made rigid.
   substeps_ = geogrid_->rigid() ? required : std::max(substeps_, required);
   clamp_force_.setZero();
@@ -73,10 +70,22 @@ void StaggeredStep::move_with_geogrid(double dt, const dem::Vector3& clamp_veloc
   clamp_force_ /= substeps_;
 }
 
+// The same on all ranks of the geogrid.
+int StaggeredStep::required_substeps(double dt)
+{
+  if (geogrid_->rigid()) return 1;
+  std::vector<NodeRate> rates = geogrid_->contact_rates(rib_contacts_);
+  if (is_dealt()) {
+    const Stopwatch watch(told_time_);
+    rates = geogrid_ranks_->all_rates(rates);
+  }
+  return geogrid_->required_substeps(dt, rates, rib_contacts_.properties().damping_ratio);
+}
+
 // Local damping goes by the whole unbalanced force, that of the ribs included.
 void StaggeredStep::kick_by_stones_and_walls(double dt)
 {
-  if (mean_loads_.empty() || engine_.local_damping() == 0 || !moves_geogrid()) {
+  if (mean_loads_.empty() || engine_.local_damping() == 0) {
     engine_.kick_all(dt);
     return;
   }
@@ -94,38 +103,42 @@ void StaggeredStep::kick_by_stones_and_walls(double dt)
   engine_.kick_all(dt, &other_force_, &other_torque_);
 }
 
-// Any that is in the list has some way to go before it is near.
-void StaggeredStep::look_for_strangers()
-{
-  if (!is_dealt() || rib_contacts_.builds() == seen_builds_) return;
-  seen_builds_ = rib_contacts_.builds();
-  const auto& contacts = rib_contacts_.contacts();
-  stranger_is_near_ = std::any_of(contacts.begin(), contacts.end(), [&](const dem::RibContact& c) {
-    return engine_.clumps().ghost[c.i] == 1;
-  });
-}
-
 // The stones that may touch a rib within the step drift in its sub-steps, with the ribs, and ghosts
 // not at all.
 void StaggeredStep::hold_near_clumps()
 {
   held_ = engine_.clumps().ghost;
-  for (const int i : rib_contacts_.near_clumps()) {
-    if (held_[i] == 1) throw std::logic_error("Another rank moves a stone near the geogrid.");
-    held_[i] = 1;
-  }
+  for (const int i : rib_contacts_.near_clumps()) held_[i] = 1;
   near_.take(engine_.clumps(), rib_contacts_.near_clumps());
 }
 
 void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
 {
+  double* lattice_time = is_dealt() ? &lattice_time_ : nullptr;
   near_.clear_loads();
-  geogrid_->refresh_ribs();
-  geogrid_->apply(rib_contacts_.evaluate(near_, geogrid_->ribs(), h, rib_energy_));
-  rib_work_on_stones_ += near_.move(h);
+  {
+    const Stopwatch watch(lattice_time);
+    geogrid_->refresh_ribs();
+  }
+  dem::ContactEnergy energy;
+  load_lattice(rib_contacts_.evaluate(near_, geogrid_->ribs(), h, energy));
+  rib_friction_.add(energy.friction);
+  rib_damping_.add(energy.damping);
+  rib_work_on_stones_.add(near_.move(h));
+  const Stopwatch watch(lattice_time);
   geogrid_->dynamics().set_clamp_velocity(clamp_velocity);
   geogrid_->dynamics().step(h);
   clamp_force_ += geogrid_->dynamics().clamp_reaction();
+}
+
+void StaggeredStep::load_lattice(const std::vector<dem::RodLoads>& mine)
+{
+  if (!is_dealt()) {
+    geogrid_->apply(mine);
+    return;
+  }
+  const Stopwatch watch(told_time_);
+  geogrid_->apply(geogrid_ranks_->all_loads(mine, rib_contacts_, engine_.clumps()));
 }
 
 // The contacts between stones must see the mean motion of the whole step, as put_back() gives it:
@@ -140,17 +153,63 @@ void StaggeredStep::end_substeps()
                            near_.mean_force(place), near_.mean_torque(place)});
 }
 
+RibSide StaggeredStep::memory() const
+{
+  return {rib_contacts_.memory(engine_.clumps()), mean_loads_};
+}
+
+void StaggeredStep::restore(RibSide side)
+{
+  const dem::Clumps& clumps = engine_.clumps();
+  side.keep([&](std::int64_t id) {
+    const int i = clumps.index_of(id);
+    return i >= 0 && clumps.ghost[i] == 0;
+  });
+  rib_contacts_.restore(clumps, side.contacts);
+  mean_loads_ = std::move(side.mean_loads);
+}
+
+void StaggeredStep::choose_geogrid_ranks()
+{
+  geogrid_ranks_.emplace(domain_->ranks(), engine_.clumps(), geogrid_->ribs(), domain_->room());
+}
+
+void StaggeredStep::unite_sums()
+{
+  for (EnergySum* sum : {&rib_friction_, &rib_damping_, &rib_work_on_stones_})
+    sum->unite([this](double mine) { return sum_of_parts(mine); });
+}
+
+dem::OverRanks StaggeredStep::over_ranks() const
+{
+  if (!is_dealt()) return {};
+  const dem::Ranks& ranks = domain_->ranks();
+  return {[&ranks](std::vector<double>& numbers) { ranks.sum(numbers); },
+          [&ranks](double mine) { return ranks.largest(mine); }};
+}
+
+double StaggeredStep::sum_of_parts(double mine) const
+{
+  return is_dealt() ? domain_->ranks().sum(mine) : mine;
+}
+
+double StaggeredStep::total(const EnergySum& sum) const
+{
+  return sum.value([this](double mine) { return sum_of_parts(mine); });
+}
+
 EnergyLedger StaggeredStep::ledger(double dt) const
 {
   EnergyLedger ledger = ledger_of(engine_.energy(dt));
   if (!geogrid_) return ledger;
 
-  ledger.elastic_contacts += rib_energy_.elastic;
-  ledger.friction += rib_energy_.friction;
-  ledger.contact_damping += rib_energy_.damping;
-  ledger.interface_work_on_stones = rib_work_on_stones_;
-  ledger.interface_stored_and_lost =
-      rib_energy_.elastic + rib_energy_.friction + rib_energy_.damping + rib_energy_removed_;
+  const double elastic = dem::order_free_sum(rib_contacts_.elastic_energies(), over_ranks());
+  const double friction = total(rib_friction_), damping = total(rib_damping_);
+  ledger.elastic_contacts += elastic;
+  ledger.friction += friction;
+  ledger.contact_damping += damping;
+  ledger.interface_work_on_stones = total(rib_work_on_stones_);
+  ledger.interface_stored_and_lost = elastic + friction + damping + rib_energy_removed_;
   const fem::LatticeEnergies lattice = geogrid_->dynamics().energies();
   ledger.kinetic_geogrid = lattice.kinetic;
   ledger.gravitational += lattice.gravitational;

@@ -9,10 +9,15 @@
 #pragma once
 
 #include "coupling/loop/energy_ledger.h"
+#include "coupling/loop/geogrid_ranks.h"
+#include "coupling/loop/rib_side.h"
 #include "coupling/loop/rib_transfer.h"
 #include "dem/bodies/subcycled_clumps.h"
 #include "dem/engine/engine.h"
+#include "dem/exact_sums.h"
 #include "dem/parallel/domain.h"
+
+#include <optional>
 
 namespace interlock::coupling
 {
@@ -26,20 +31,25 @@ public:
   void place_geogrid(RibTransfer& geogrid);
   // The same without booking: for a geogrid whose state, and whose contacts, are read next.
   void attach(RibTransfer& geogrid);
-  // From now on ranks share the stones, and the first of them moves the geogrid and the stones near
-  // it; `domain` must outlive this object.
+  // From now on ranks share the stones; `domain` must outlive this object.
   void share(dem::Domain& domain) { domain_ = &domain; }
-  // Whether a stone that another rank moves has come near: it should be dealt to this one soon.
-  bool stranger_is_near() const { return stranger_is_near_; }
-  // What contacts with ribs remember, and going on from it: around an exchange of the engine's
-  // clumps among ranks.
-  std::vector<dem::RibMemory> contact_memory() const
+  // What the stones of this rank remember of ribs, and going on from it: around an exchange of the
+  // engine's clumps among ranks. What is remembered of stones that this rank does not move is not
+  // taken.
+  RibSide memory() const;
+  void restore(RibSide side);
+  // After stones have been dealt: which ranks move the geogrid. Before they are dealt or gathered:
+  // what ranks have added to sums since. Collective among all of them.
+  void choose_geogrid_ranks();
+  void unite_sums();
+  // Whether this rank has, and all ranks have, the geogrid where it is now.
+  bool moves_geogrid() const { return !is_dealt() || geogrid_ranks_->moves_here(); }
+  bool all_move_geogrid() const { return !is_dealt() || geogrid_ranks_->moves_everywhere(); }
+  // On a rank that did not move the geogrid: the last step of one that did.
+  void take_over(int substeps, const dem::Vector3& clamp_force)
   {
-    return rib_contacts_.memory(engine_.clumps());
-  }
-  void restore_contacts(const std::vector<dem::RibMemory>& contacts)
-  {
-    rib_contacts_.restore(engine_.clumps(), contacts);
+    substeps_ = substeps;
+    clamp_force_ = clamp_force;
   }
 
   // Advances everything by dt [s]. `clamp_velocity` holds for the whole step [m/s]. With `ledger`,
@@ -47,7 +57,7 @@ public:
   void advance(double dt, const dem::Vector3& clamp_velocity, EnergyLedger* ledger = nullptr);
   // The part of a step after the engine has computed its forces.
   void move(double dt, const dem::Vector3& clamp_velocity);
-  // Energies now; call between the engine's compute_forces and move.
+  // Energies now; call between the engine's compute_forces and move. Collective among all ranks.
   EnergyLedger ledger(double dt) const;
 
   // Removes clumps from the engine and from the contacts with ribs.
@@ -56,10 +66,11 @@ public:
   // Mean force of the clamp on the lattice over the last step [N].
   const dem::Vector3& clamp_force() const { return clamp_force_; }
   int substeps() const { return substeps_; }
-  // Wall-clock time since the begin: of the geogrid with what is near it, and of copying ghosts,
-  // waiting for other ranks included [s].
-  double geogrid_time() const { return geogrid_time_; }
-  double copy_time() const { return copy_time_; }
+  // Wall-clock time since the begin of the steps that ranks share: of the lattice, of stones at
+  // ribs, and of messages, waiting for other ranks included [s].
+  double lattice_time() const { return lattice_time_; }
+  double rib_time() const { return geogrid_time_ - lattice_time_ - told_time_; }
+  double message_time() const { return copy_time_ + told_time_; }
   // The next step takes as many sub-steps as it needs, also if that is fewer than before.
   void forget_substeps() { substeps_ = 1; }
   const dem::RibContacts& rib_contacts() const { return rib_contacts_; }
@@ -67,57 +78,47 @@ public:
   dem::ContactProperties& stone_on_rib() { return rib_contacts_.properties(); }
   const RibTransfer* geogrid() const { return geogrid_; }
 
-  // Of a loop with its geogrid attached.
+  // Of a loop with its geogrid attached, when this rank has everything.
   template <class Archive> friend void exchange(Archive& archive, StaggeredStep& loop)
   {
-    archive("energy", loop.rib_energy_);
+    if (!Archive::reading) loop.unite_sums();
+    archive("friction", loop.rib_friction_);
+    archive("damping", loop.rib_damping_);
     archive("inserted", loop.geogrid_inserted_, "J");
     archive("removed", loop.rib_energy_removed_, "J");
-    archive("work_on_stones", loop.rib_work_on_stones_, "J");
+    archive("work_on_stones", loop.rib_work_on_stones_);
     archive("substeps", loop.substeps_);
     archive("clamp_force", loop.clamp_force_, "N");
-    archive("mean_loads", loop.mean_loads_);
-    std::vector<dem::RibMemory> contacts;
-    if (!Archive::reading) contacts = loop.rib_contacts_.memory(loop.engine_.clumps());
-    archive("contacts", contacts);
-    if (Archive::reading) loop.rib_contacts_.restore(loop.engine_.clumps(), contacts);
+    RibSide side;
+    if (!Archive::reading) side = loop.memory();
+    exchange(archive, side);
+    if (Archive::reading) loop.restore(std::move(side));
   }
 
 private:
-  // What ribs did to one stone near them, mean over the last step: local damping takes it for that
-  // of the step to come.
-  struct MeanLoad {
-    std::int64_t clump = 0;                                                   // id
-    dem::Vector3 force = dem::Vector3::Zero(), torque = dem::Vector3::Zero(); // [N], [N m]
-    template <class Archive> friend void exchange(Archive& archive, MeanLoad& load)
-    {
-      archive("clump", load.clump);
-      archive("force", load.force, "N");
-      archive("torque", load.torque, "N m");
-    }
-  };
+  using EnergySum = dem::SharedSum<dem::energy_grid>;
+
   bool is_dealt() const { return domain_ && !domain_->is_whole(); }
-  bool moves_geogrid() const // on this rank
-  {
-    return geogrid_ && !(is_dealt() && domain_->ranks().rank() > 0);
-  }
+  dem::OverRanks over_ranks() const;
+  double sum_of_parts(double mine) const;
+  double total(const EnergySum& sum) const; // over all ranks [J]
   void kick_by_stones_and_walls(double dt);
   void move_with_geogrid(double dt, const dem::Vector3& clamp_velocity);
-  void look_for_strangers();
   void hold_near_clumps();
+  int required_substeps(double dt);
   void substep(double h, const dem::Vector3& clamp_velocity);
+  void load_lattice(const std::vector<dem::RodLoads>& mine);
   void end_substeps();
 
   dem::Engine& engine_;
   dem::Domain* domain_ = nullptr; // null: one rank
   RibTransfer* geogrid_ = nullptr;
   dem::RibContacts rib_contacts_;
-  dem::ContactEnergy rib_energy_;
-  double geogrid_inserted_ = 0;   // energy of the lattice when it was placed [J]
-  double rib_energy_removed_ = 0; // of contacts with ribs, gone with their stones [J]
-  double rib_work_on_stones_ = 0; // [J]
-  int seen_builds_ = 0;           // of the list of rib_contacts_
-  bool stranger_is_near_ = false;
+  std::optional<GeogridRanks> geogrid_ranks_; // since the last deal
+  // What contacts with ribs have taken, and done to stones, since the start [J].
+  EnergySum rib_friction_, rib_damping_, rib_work_on_stones_;
+  double geogrid_inserted_ = 0;                 // energy of the lattice when it was placed [J]
+  double rib_energy_removed_ = 0;               // of contacts with ribs, gone with their stones [J]
   dem::SubcycledClumps near_;                   // the near clumps of rib_contacts_, in a step
   std::vector<MeanLoad> mean_loads_;            // of the last step, ascending ids
   dem::VectorField other_force_, other_torque_; // mean_loads_ by clump
@@ -125,7 +126,7 @@ private:
   // Only grows within a stage, so that velocities stay centred between equal steps: part of the
   // state.
   int substeps_ = 1;
-  double geogrid_time_ = 0, copy_time_ = 0; // [s]
+  double geogrid_time_ = 0, lattice_time_ = 0, told_time_ = 0, copy_time_ = 0; // [s]
   dem::Vector3 clamp_force_ = dem::Vector3::Zero();
 };
 } // namespace interlock::coupling

@@ -66,6 +66,13 @@ EnergyLedger World::ledger() const
   return ledger;
 }
 
+int World::touching_ribs() const
+{
+  const auto& contacts = ribs.rib_contacts().contacts();
+  return static_cast<int>(sum_of_parts(static_cast<double>(
+      std::count_if(contacts.begin(), contacts.end(), [](auto& c) { return c.overlap > 0; }))));
+}
+
 double World::largest_overlap() const
 {
   double largest = engine.largest_overlap();

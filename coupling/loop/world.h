@@ -50,14 +50,14 @@ public:
   RibTransfer* geogrid() { return geogrid_.get(); } // null before it is placed
   const RibTransfer* geogrid() const { return geogrid_.get(); }
 
-  // Several ranks move these stones together from now on, the first of them the geogrid, too.
-  // Nothing changes if there is but one. `ranks` must outlive this object.
+  // Several ranks move these stones together from now on, and those near it the geogrid. Nothing
+  // changes if there is but one. `ranks` must outlive this object.
   void share_among(const dem::Ranks& ranks);
   bool is_whole() const { return !domain_ || domain_->is_whole(); }
   // The number of ranks that share the stones.
   int n_ranks() const { return domain_ ? domain_->ranks().size() : 1; }
   // Whether this rank knows where the geogrid is now.
-  bool moves_geogrid() const { return is_whole() || domain_->ranks().rank() == 0; }
+  bool moves_geogrid() const { return ribs.moves_geogrid(); }
   // Everything comes to every rank, until the next step that nobody looks at. Collective, like all
   // below that speak of ranks.
   void make_whole();
@@ -74,7 +74,7 @@ public:
   // Over all ranks.
   bool any(bool mine) const { return largest(mine ? 1 : 0) > 0; }
   double largest(double mine) const { return domain_ ? domain_->ranks().largest(mine) : mine; }
-  double sum(double mine) const;
+  double sum(double mine) const { return domain_ ? domain_->ranks().sum(mine) : mine; }
   // Of what each rank counts in its part; where everything is everywhere, that of one.
   double sum_of_parts(double mine) const { return is_whole() ? mine : sum(mine); }
   // What the first rank that says anything says.
@@ -105,6 +105,7 @@ public:
   {
     return static_cast<int>(sum_of_parts(engine.n_touching_spheres()));
   }
+  int touching_ribs() const; // contacts of spheres with lines of ribs
   // Largest overlap of any contact of this rank, ribs included, at the last evaluation [m].
   double largest_overlap() const;
 
@@ -117,7 +118,7 @@ private:
   void deal();
   void note_times();
   void receive_geogrid();
-  dem::KeptRegion kept_region() const;
+  RibSide rib_side_of_all() const;
   bool geogrid_has_moved() const;
 
   std::unique_ptr<RibTransfer> geogrid_;
@@ -129,8 +130,8 @@ private:
   // Steps after which stones are dealt anew besides, from the environment; for tests. 0: none.
   int deal_every_ = 0;
   dem::VectorField dealt_ribs_; // their ends at the last deal, on the rank that moves them [m]
-  RankTimes times_, noted_;     // up to now, and up to the last deal or gathering
-  double geogrid_load_ = 0;     // as measured last, in clumps; 0: not yet
+  RankTimes times_;
+  std::int64_t noted_steps_ = 0; // of times_
 };
 
 // The field list of a world. Reading goes into a world that has its geogrid, if it has one,

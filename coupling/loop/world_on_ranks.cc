@@ -2,7 +2,6 @@
 #include "coupling/loop/stopwatch.h"
 #include "coupling/loop/world.h"
 #include "dem/parallel/byte_archive.h"
-#include "dem/ribs/rib_search.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,12 +12,9 @@ namespace interlock::coupling
 {
 namespace
 {
-// What a geogrid costs before it was measured, in clumps of all.
-constexpr double first_guess_of_load = 0.5;
-// Stones nearer to a rib than that are moved by the rank of the geogrid [m]: farther than the list
-// of its contacts reaches, so that a stone that has just come into it is dealt anew once, and not
-// back and forth.
-constexpr double kept_distance = 2 * dem::RibContacts::largest_skin;
+// What a contact with a rib costs in a step, in contacts between stones; measured with two
+// sub-steps.
+constexpr int cost_of_a_rib_contact = 8;
 
 // What ranks ask for once a step, as bits.
 constexpr int stop_bit = 1, keep_bit = 2, deal_bit = 4, inner_bit = 8, middle_bit = 16;
@@ -38,24 +34,37 @@ void World::require_whole() const
   if (!is_whole()) throw std::logic_error("This rank has only a part of the world.");
 }
 
-// The geogrid and its contacts come from the first rank, which has moved them.
 void World::make_whole()
 {
   if (is_whole()) return;
   note_times();
   const Stopwatch watch(times_.sharing);
-  dem::Bytes moved;
+  RibSide side;
   if (geogrid_) {
     receive_geogrid();
-    dem::ByteWriter writer(moved);
-    if (domain_->ranks().rank() == 0) writer("ribs", ribs);
-    moved = domain_->ranks().from(0, std::move(moved));
+    ribs.unite_sums();
+    side = rib_side_of_all();
   }
   domain_->gather(engine);
   ++times_.gathers;
-  if (!geogrid_) return;
-  dem::ByteReader reader(moved);
-  reader("ribs", ribs);
+  if (geogrid_) ribs.restore(std::move(side));
+}
+
+// The stones near a geogrid are few: everybody gets what all of them remember, and keeps what is
+// of the own ones.
+RibSide World::rib_side_of_all() const
+{
+  RibSide mine = ribs.memory(), all;
+  dem::Bytes bytes;
+  dem::ByteWriter writer(bytes);
+  writer("ribs", mine);
+  for (const dem::Bytes& said : domain_->ranks().all(bytes)) {
+    dem::ByteReader reader(said);
+    RibSide theirs;
+    reader("ribs", theirs);
+    all.append(theirs);
+  }
+  return all;
 }
 
 void World::begin_step(bool whole)
@@ -71,38 +80,42 @@ void World::deal()
 {
   if (!is_whole()) note_times();
   const Stopwatch watch(times_.sharing);
-  const dem::Ranks& ranks = domain_->ranks();
-  dem::KeptRegion kept;
-  std::vector<dem::RibMemory> contacts;
+  RibSide side;
+  std::vector<dem::ClumpCost> costs;
   if (geogrid_) {
-    if (!is_whole()) receive_geogrid();
-    kept = kept_region();
-    if (ranks.rank() == 0) contacts = ribs.contact_memory();
+    ribs.unite_sums();
+    if (is_whole())
+      side = ribs.memory();
+    else {
+      receive_geogrid();
+      side = rib_side_of_all();
+    }
+    for (const dem::RibMemory& contact : side.contacts)
+      costs.push_back({contact.clump, cost_of_a_rib_contact});
     dealt_ribs_ = geogrid_->ribs().position;
   }
-  domain_->deal(engine, kept);
-  if (geogrid_) ribs.restore_contacts(contacts); // none but on the first rank
+  domain_->deal(engine, costs);
+  if (geogrid_) {
+    ribs.restore(std::move(side));
+    ribs.choose_geogrid_ranks();
+  }
   ++times_.deals;
   deal_is_due_ = false;
   fulfilled_ |= deal_bit;
 }
 
-// Of the steps since the last deal. The load of the geogrid by what it took; it decides who moves
-// what, and no digit.
+// Of the steps since the last deal.
 void World::note_times()
 {
-  times_.geogrid = ribs.geogrid_time();
-  times_.copying = ribs.copy_time();
-  const double steps = static_cast<double>(times_.steps - noted_.steps);
+  times_.lattice = ribs.lattice_time();
+  times_.ribs = ribs.rib_time();
+  times_.messages = ribs.message_time();
+  const double steps = static_cast<double>(times_.steps - noted_steps_);
   const dem::ScalarField& ghost = engine.clumps().ghost;
   const double ghosts = static_cast<double>(std::count(ghost.begin(), ghost.end(), 1.));
-  const double clumps = engine.clumps().size() - ghosts;
   times_.ghosts += steps * ghosts;
-  times_.clumps += steps * clumps;
-  const double forces = times_.forces - noted_.forces, geogrid = times_.geogrid - noted_.geogrid;
-  constexpr double enough = 100; // steps
-  if (steps >= enough && forces > 0) geogrid_load_ = clumps * geogrid / forces;
-  noted_ = times_;
+  times_.clumps += steps * (engine.clumps().size() - ghosts);
+  noted_steps_ = times_.steps;
 }
 
 std::vector<RankTimes> World::times() const
@@ -120,31 +133,26 @@ std::vector<RankTimes> World::times() const
   return all;
 }
 
-// The motion of the geogrid, from the first rank, which moves it. Its ribs are where they are now
-// on all of them.
+// The motion of the geogrid, from the first rank, where some have not moved it. Its ribs are where
+// they are now on all of them.
 void World::receive_geogrid()
 {
   geogrid_->refresh_ribs();
+  if (ribs.all_move_geogrid()) return;
   dem::Bytes bytes;
   dem::ByteWriter writer(bytes);
-  if (domain_->ranks().rank() == 0) writer("geogrid", *geogrid_);
+  int substeps = ribs.substeps();
+  dem::Vector3 clamp_force = ribs.clamp_force();
+  writer("geogrid", *geogrid_);
+  writer("substeps", substeps);
+  writer("clamp_force", clamp_force);
   bytes = domain_->ranks().from(0, std::move(bytes));
-  if (domain_->ranks().rank() == 0) return;
+  if (ribs.moves_geogrid()) return;
   dem::ByteReader reader(bytes);
   reader("geogrid", *geogrid_);
-}
-
-dem::KeptRegion World::kept_region() const
-{
-  const auto near = std::make_shared<dem::RibSurroundings>(geogrid_->ribs().all(), kept_distance);
-  dem::KeptRegion kept;
-  kept.box = near->box();
-  kept.keeps = [near](const dem::Clumps& clumps, int i) { return near->holds(clumps, i); };
-  // As measured on the first rank; it decides who moves what, and no digit.
-  const double load =
-      geogrid_load_ > 0 ? geogrid_load_ : first_guess_of_load * engine.clumps().size();
-  kept.load = domain_->ranks().largest(domain_->ranks().rank() == 0 ? load : 0);
-  return kept;
+  reader("substeps", substeps);
+  reader("clamp_force", clamp_force);
+  ribs.take_over(substeps, clamp_force);
 }
 
 bool World::geogrid_has_moved() const
@@ -165,8 +173,8 @@ World::Wishes World::agree(const Wishes& mine)
 {
   if (!domain_) return mine;
   const bool asked_to = deal_every_ > 0 && clock.step % deal_every_ == 0;
-  const bool deal = !is_whole() && (asked_to || domain_->has_expired(engine, clock.dt) ||
-                                    geogrid_has_moved() || ribs.stranger_is_near());
+  const bool deal =
+      !is_whole() && (asked_to || domain_->has_expired(engine, clock.dt) || geogrid_has_moved());
   const dem::NeighbourLists::Levels lists = engine.expiring_lists();
   int answer = agreement_->exchange((mine.stop ? stop_bit : 0) | (mine.keep ? keep_bit : 0) |
                                     (deal ? deal_bit : 0) | (lists.inner ? inner_bit : 0) |
@@ -177,13 +185,6 @@ World::Wishes World::agree(const Wishes& mine)
   engine.renew_lists({(answer & inner_bit) != 0, (answer & middle_bit) != 0});
   deal_is_due_ = (answer & deal_bit) != 0;
   return {(answer & stop_bit) != 0, (answer & keep_bit) != 0};
-}
-
-double World::sum(double mine) const
-{
-  std::vector<double> numbers = {mine};
-  if (domain_) domain_->ranks().sum(numbers);
-  return numbers[0];
 }
 
 std::string World::first_sentence(const std::string& mine) const

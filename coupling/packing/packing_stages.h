@@ -33,7 +33,7 @@ struct TimedStage {
   StepTimer timer;
   // Of the steps without a look.
   std::int64_t steps = 0;
-  dem::SharedSum floor, side_walls; // vertical forces of the stones on walls, downwards [N]
+  dem::SharedSum<dem::force_grid> floor, side_walls; // vertical forces of the stones on walls, downwards [N]
   dem::StepProfile profile;
   EnergyLedger ledger; // of the last look
 };

@@ -102,9 +102,6 @@ void record(PullStage& stage, PullOut& experiment, RunRecords& records)
   stage.largest_axial_force = std::max(stage.largest_axial_force, axial);
   stage.largest_stretch = std::max(stage.largest_stretch, largest_stretch(world).strain);
 
-  const auto& rib_contacts = world.ribs.rib_contacts().contacts();
-  const auto touching = std::count_if(rib_contacts.begin(), rib_contacts.end(),
-                                      [](const dem::RibContact& c) { return c.overlap > 0; });
   std::vector<History::Cell> row = {world.clock.time(),
                                     stage.displacement,
                                     force,
@@ -112,7 +109,7 @@ void record(PullStage& stage, PullOut& experiment, RunRecords& records)
                                     rear_displacement(world.geogrid()->dynamics()),
                                     axial,
                                     static_cast<double>(world.touching_spheres()),
-                                    static_cast<double>(touching),
+                                    static_cast<double>(world.touching_ribs()),
                                     world.largest(world.largest_overlap()),
                                     static_cast<double>(world.ribs.substeps())};
   append_ledger(row, stage.ledger);

@@ -250,10 +250,10 @@ private:
       const double us = 1e6 / std::max<double>(1, t.steps);
       records_.message(fmt::format(
           "rank {}: {:.0f} stones and {:.0f} ghosts in the mean; a step took {:.1f} us for forces, "
-          "{:.1f} us for the geogrid, {:.1f} us for ghosts and waiting, {:.1f} us for dealing ({} "
-          "times) and gathering ({} times)",
-          rank, t.clumps, t.ghosts, us * t.forces, us * t.geogrid, us * t.copying, us * t.sharing,
-          t.deals, t.gathers));
+          "{:.1f} us for contacts with ribs, {:.1f} us for the lattice, {:.1f} us for messages and "
+          "waiting, {:.1f} us for dealing ({} times) and gathering ({} times)",
+          rank, t.clumps, t.ghosts, us * t.forces, us * t.ribs, us * t.lattice, us * t.messages,
+          us * t.sharing, t.deals, t.gathers));
     }
   }
 

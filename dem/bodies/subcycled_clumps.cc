@@ -2,6 +2,7 @@
 
 #include "dem/bodies/field_rows.h"
 #include "dem/bodies/rigid_motion.h"
+#include "dem/exact_sums.h"
 
 #include <algorithm>
 
@@ -110,7 +111,7 @@ double SubcycledClumps::move(double h)
     spin_sums.add(i, step.spin);
   }
   double sum = 0;
-  for (int i = 0; i < size(); ++i) sum += work[i];
+  for (int i = 0; i < size(); ++i) sum += on_grid<energy_grid>(work[i]);
   return sum;
 }
 } // namespace interlock::dem

@@ -21,8 +21,9 @@ public:
   int size() const { return position.size(); }
 
   void clear_loads();
-  // Kicks and drifts by h [s] with force and torque. Returns the work that they did [J]: force
-  // times the mean of the velocities of the drifts before and after the kick.
+  // Kicks and drifts by h [s] with force and torque. Returns the work that they did [J], force
+  // times the mean of the velocities of the drifts before and after the kick, as a sum of numbers
+  // on the energy grid (dem/exact_sums.h).
   double move(double h);
 
   // Means over the sub-steps since they were taken.

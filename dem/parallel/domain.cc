@@ -25,53 +25,18 @@ constexpr int cost_of_a_clump = 3;
 constexpr double usable = 0.95, notice_steps = 4;
 } // namespace
 
-bool Domain::Place::is_on(int rank) const
-{
-  return owner == rank || std::binary_search(copies.begin(), copies.end(), rank);
-}
-
-void Domain::find_kept(const Clumps& clumps)
-{
-  is_kept_.assign(clumps.size(), false);
-  kept_here_.clear();
-  if (!kept_.keeps) return;
-  for (int i = 0; i < clumps.size(); ++i) {
-    if (kept_.box.exteriorDistance(Vector3(clumps.position[i])) > clumps.bounding_radius(i) ||
-        !kept_.keeps(clumps, i))
-      continue;
-    is_kept_[i] = true;
-    kept_here_.push_back(i);
-  }
-}
-
-// Before the next deal, a clump that is kept and is here, or what keeps it.
-bool Domain::could_touch_kept(const Clumps& clumps, int i) const
-{
-  if (!kept_.keeps) return false;
-  const Vector3 x = clumps.position[i];
-  const double radius = clumps.bounding_radius(i), ways = 2 * room_;
-  const double to_box = kept_.box.exteriorDistance(x);
-  if (to_box <= radius + ways) return true;
-  if (to_box > radius + 2 * largest_ + ways) return false;
-  return std::any_of(kept_here_.begin(), kept_here_.end(), [&](int k) {
-    const double near = radius + clumps.bounding_radius(k) + ways;
-    return (Vector3(clumps.position[k]) - x).squaredNorm() <= near * near;
-  });
-}
-
 // Who touches a clump later is near it now: both may move by the room. On the rank that moves a
-// clump, and on those that have copies of it, everybody near it is there, too.
+// clump everybody near it is there, too.
 Domain::Place Domain::place_of(const Clumps& clumps, int i) const
 {
   const Vector3 x = clumps.position[i];
   const int cell = grid_.cell_of(x);
   Place place;
-  place.owner = is_kept_[i] ? 0 : owner_[cell];
-  std::set<int> near = {owner_[cell]};
+  place.owner = owner_[cell];
+  std::set<int> near;
   for (const int other : grid_.neighbours(cell))
     if (grid_.distance(x, other) <= clumps.bounding_radius(i) + largest_ + 2 * room_)
       near.insert(owner_[other]);
-  if (could_touch_kept(clumps, i)) near.insert(0);
   near.erase(place.owner);
   place.copies.assign(near.begin(), near.end());
   return place;
@@ -91,47 +56,36 @@ void Domain::lay_cells(const Clumps& clumps)
   owner_.clear();
 }
 
-// By what the clumps in them and their contacts cost.
-void Domain::share_out_cells(const Clumps& clumps, const ContactMemory& contacts)
+// By what the clumps in them cost.
+void Domain::share_out_cells(const Clumps& clumps, const ContactMemory& contacts,
+                             const std::vector<ClumpCost>& besides)
 {
   std::vector<int> of_clump(clumps.size(), cost_of_a_clump);
-  const auto add = [&](std::int64_t id) {
+  const auto add = [&](std::int64_t id, int cost = 1) {
     const int i = clumps.index_of(id);
-    if (i >= 0) ++of_clump[i];
+    if (i >= 0) of_clump[i] += cost;
   };
   for (const PairMemory& c : contacts.pairs) add(c.first), add(c.second);
   for (const WallMemory& c : contacts.walls) add(c.clump);
-  // Behind the cells: of what the first rank keeps, and the number of clumps.
-  std::vector<int> cost(grid_.size() + 2, 0);
-  for (int i = 0; i < clumps.size(); ++i) {
-    if (clumps.ghost[i] == 1) continue;
-    cost[is_kept_[i] ? grid_.size() : grid_.cell_of(clumps.position[i])] += of_clump[i];
-    ++cost[grid_.size() + 1];
-  }
+  for (const ClumpCost& c : besides) add(c.clump, c.cost);
+  std::vector<int> cost(grid_.size(), 0);
+  for (int i = 0; i < clumps.size(); ++i)
+    if (clumps.ghost[i] == 0) cost[grid_.cell_of(clumps.position[i])] += of_clump[i];
   if (!whole_) cost = ranks_.sum(cost);
-  const double all = std::accumulate(cost.begin(), cost.end() - 1, 0.);
-  const double load = kept_.load * all / std::max(1, cost.back());
-  const double kept = load + cost[grid_.size()];
-  cost.resize(grid_.size());
-  const std::vector<double> shares =
-      fair_shares(std::accumulate(cost.begin(), cost.end(), 0.), kept, ranks_.size());
   if (!owner_.empty()) {
-    std::vector<int> of_rank(ranks_.size(), 0);
+    std::vector<double> of_rank(ranks_.size(), 0.);
     for (int cell = 0; cell < grid_.size(); ++cell) of_rank[owner_[cell]] += cost[cell];
-    bool is_fair = true;
-    for (int r = 0; r < ranks_.size(); ++r) is_fair = is_fair && of_rank[r] <= fair * shares[r] + 1;
-    if (is_fair) return;
+    const double share = std::accumulate(of_rank.begin(), of_rank.end(), 0.) / ranks_.size();
+    if (*std::max_element(of_rank.begin(), of_rank.end()) <= fair * share + 1) return;
   }
-  owner_ = partition(grid_, cost, shares);
+  owner_ = partition(grid_, cost, ranks_.size());
 }
 
-void Domain::deal(Engine& engine, const KeptRegion& kept)
+void Domain::deal(Engine& engine, const std::vector<ClumpCost>& besides)
 {
-  kept_ = kept;
   if (whole_) lay_cells(engine.clumps());
-  find_kept(engine.clumps());
   ContactMemory memory = engine.memory();
-  share_out_cells(engine.clumps(), memory);
+  share_out_cells(engine.clumps(), memory, besides);
   if (whole_)
     deal_whole(engine, std::move(memory));
   else
@@ -153,7 +107,7 @@ void Domain::deal_whole(Engine& engine, ContactMemory memory)
   for (int i = 0; i < clumps.size(); ++i) {
     const Place place = place_of(clumps, i);
     ours[i] = place.owner == me;
-    if (!place.is_on(me)) continue;
+    if (!ours[i] && !std::binary_search(place.copies.begin(), place.copies.end(), me)) continue;
     mine.clumps.push_back(clumps.state_of(i));
     mine.clumps.back().is_ghost = !ours[i];
   }
@@ -171,7 +125,7 @@ void Domain::deal_parts(Engine& engine, const ContactMemory& memory)
   std::vector<Parcel> parcels(ranks_.size());
   const auto owner_of = [&](std::int64_t id) {
     const int i = clumps.index_of(id);
-    return is_kept_[i] ? 0 : owner_[grid_.cell_of(clumps.position[i])];
+    return owner_[grid_.cell_of(clumps.position[i])];
   };
   const auto is_ours = [&](std::int64_t id) { return clumps.ghost[clumps.index_of(id)] == 0; };
   for (int i = 0; i < clumps.size(); ++i) {
@@ -181,10 +135,6 @@ void Domain::deal_parts(Engine& engine, const ContactMemory& memory)
     parcels[place.owner].clumps.push_back(state);
     state.is_ghost = true;
     for (const int rank : place.copies) parcels[rank].clumps.push_back(state);
-    // Kept clumps may be near that are not here yet; the first rank knows.
-    const bool near_box = kept_.keeps && kept_.box.exteriorDistance(Vector3(clumps.position[i])) <=
-                                             clumps.bounding_radius(i) + 2 * (largest_ + room_);
-    if (near_box && !place.is_on(0)) parcels[0].clumps.push_back(state);
   }
   // A contact is remembered on the ranks of both clumps; the one that had the first sends it.
   for (const PairMemory& c : memory.pairs) {
@@ -207,16 +157,6 @@ void Domain::deal_parts(Engine& engine, const ContactMemory& memory)
   for (const Parcel& parcel : parcels) messages.push_back(parcel.packed());
   const Parcel mine = Parcel::merged(ranks_.exchange(messages));
   engine.replace_clumps(mine.clumps, mine.contacts);
-  if (ranks_.rank() == 0 && kept_.keeps) drop_needless_ghosts(engine);
-}
-
-void Domain::drop_needless_ghosts(Engine& engine)
-{
-  find_kept(engine.clumps());
-  std::vector<ClumpState> needed;
-  for (int i = 0; i < engine.clumps().size(); ++i)
-    if (place_of(engine.clumps(), i).is_on(0)) needed.push_back(engine.clumps().state_of(i));
-  engine.replace_clumps(needed, engine.memory());
 }
 
 void Domain::gather(Engine& engine)
@@ -240,7 +180,6 @@ void Domain::gather(Engine& engine)
 // told.
 void Domain::connect(const Clumps& clumps)
 {
-  find_kept(clumps);
   Halo::ClumpsOfRanks ghosts_there, ghosts_here;
   for (int i = 0; i < clumps.size(); ++i) {
     const Place place = place_of(clumps, i);

@@ -18,18 +18,12 @@
 #include "dem/parallel/halo.h"
 #include "dem/parallel/ranks.h"
 
-#include <Eigen/Geometry>
-
-#include <functional>
-
 namespace interlock::dem
 {
-// What only the first rank moves, a geogrid for example, and the clumps that it wants to move, too.
-// The same on all ranks: they must agree about every clump.
-struct KeptRegion {
-  Eigen::AlignedBox3d box; // around it; the clumps that it keeps reach into the box [m]
-  std::function<bool(const Clumps&, int clump)> keeps;
-  double load = 0; // what moving it costs, in clumps
+// What a clump costs beside its contacts with others and walls, each of which counts 1.
+struct ClumpCost {
+  std::int64_t clump = 0; // id
+  int cost = 0;
 };
 
 class Domain
@@ -45,13 +39,11 @@ public:
   double room() const { return room_; }
 
   // Gives every clump to the rank that owns its cell, with what its contacts remember, and copies
-  // to the ranks that own cells near it. Those that `kept` keeps go to the first rank, which also
-  // gets copies of all that could touch them, or reach into the region's box, before the next deal;
-  // the region may move by room() until then. Cells are first shared out anew, by the clumps in
-  // them and their contacts, if that has become uneven. To be called when ghosts are as their
+  // to the ranks that own cells near it. Cells are first shared out anew, by the clumps in them,
+  // their contacts and `besides`, if that has become uneven. To be called when ghosts are as their
   // originals are. Collective, as all that follow but has_expired(). Throws std::runtime_error when
   // METIS cannot divide the cells.
-  void deal(Engine& engine, const KeptRegion& kept = {});
+  void deal(Engine& engine, const std::vector<ClumpCost>& besides = {});
   // Gives everything to every rank.
   void gather(Engine& engine);
 
@@ -67,28 +59,22 @@ private:
   struct Place {
     int owner = 0;
     std::vector<int> copies;
-    bool is_on(int rank) const;
   };
   Place place_of(const Clumps& clumps, int clump) const;
-  void find_kept(const Clumps& clumps);
-  bool could_touch_kept(const Clumps& clumps, int clump) const;
   void lay_cells(const Clumps& clumps);
-  void share_out_cells(const Clumps& clumps, const ContactMemory& contacts);
+  void share_out_cells(const Clumps& clumps, const ContactMemory& contacts,
+                       const std::vector<ClumpCost>& besides);
   void deal_whole(Engine& engine, ContactMemory memory);
   void deal_parts(Engine& engine, const ContactMemory& memory);
-  void drop_needless_ghosts(Engine& engine);
   void connect(const Clumps& clumps);
 
   const Ranks& ranks_;
   bool whole_ = true;
   CellGrid grid_{Vector3::Zero(), Vector3::Ones(), 1};
   std::vector<int> owner_; // of the cells
-  KeptRegion kept_;
-  std::vector<char> is_kept_; // of the clumps here
-  std::vector<int> kept_here_;
-  VectorField dealt_;  // positions of all clumps here when they were dealt [m]
-  double room_ = 0;    // [m]
-  double largest_ = 0; // bounding radius [m]
+  VectorField dealt_;      // positions of all clumps here when they were dealt [m]
+  double room_ = 0;        // [m]
+  double largest_ = 0;     // bounding radius [m]
   Halo halo_;
 };
 } // namespace interlock::dem

@@ -59,6 +59,12 @@ void Ranks::sum(std::vector<double>& numbers) const
                 comm_);
 }
 
+double Ranks::sum(double mine) const
+{
+  MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  return mine;
+}
+
 double Ranks::largest(double mine) const
 {
   MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_DOUBLE, MPI_MAX, comm_);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace interlock::dem
@@ -12,9 +13,6 @@ namespace
 {
 // See select_near: steps of room for kicks, and a share of a rib's half thickness.
 constexpr double near_steps = 2, near_margin = 0.01;
-// Steps for which a clump is in the list before it may be near: so long ranks need to give it to
-// the one that moves the ribs.
-constexpr double notice_steps = 4;
 // A list shall last for so many steps, within these skins [m].
 constexpr double list_steps = 160, smallest_skin = 1e-4;
 
@@ -59,11 +57,9 @@ void RibContacts::update_list(const Clumps& clumps, const RibSet& ribs, double t
   double thickest = 0;
   for (int r = 0; r < ribs.size(); ++r) thickest = std::max(thickest, ribs.shape(r).half_thickness);
   // Whoever select_near may choose must be in the list.
-  if (!valid_ || !watch_.holds(clumps, ribs, (near_steps + notice_steps) * time_step,
-                               near_margin * thickest)) {
+  if (!valid_ || !watch_.holds(clumps, ribs, near_steps * time_step, near_margin * thickest)) {
     build(clumps, ribs, time_step);
     valid_ = true;
-    ++builds_;
   }
   select_near(clumps, ribs, time_step);
 }
@@ -140,8 +136,9 @@ void RibContacts::fill_lanes(const Clumps& clumps, const RibSet& ribs)
   }
 }
 
-// Clumps farther from the box around all ribs than any skin only need to be watched. The others get
-// a skin for so many steps at the speed of the fastest of them.
+// Clumps farther from the box around all ribs than any skin only need to be watched, ghosts not
+// even that: their own ranks do. The others get a skin for so many steps at the speed of the
+// fastest of them.
 void RibContacts::build(const Clumps& clumps, const RibSet& ribs, double time_step)
 {
   old_contacts_.swap(contacts_);
@@ -160,6 +157,10 @@ void RibContacts::build(const Clumps& clumps, const RibSet& ribs, double time_st
   ScalarField room;
   room.resize(clumps.size());
   for (int i = 0; i < clumps.size(); ++i) {
+    if (clumps.ghost[i] == 1) {
+      room[i] = std::numeric_limits<double>::infinity();
+      continue;
+    }
     const Vector3& x = clumps.position[i];
     room[i] = around.exteriorDistance(x) - clumps.bounding_radius(i);
     if (room[i] < largest_skin)

@@ -1,6 +1,8 @@
 // The forces of RibContacts; its list is in rib_contact_list.cc.
 #include "dem/ribs/rib_contacts.h"
 
+#include "dem/exact_sums.h"
+
 #include <algorithm>
 
 namespace interlock::dem
@@ -24,15 +26,17 @@ const std::vector<RodLoads>& RibContacts::evaluate(SubcycledClumps& clumps, cons
 
   energy.elastic = 0;
   loads_.clear();
+  loading_contacts_.clear();
   for (int lane = 0; lane < lanes_.size(); ++lane) {
     // What a contact that has just opened lost counts, too.
     energy.elastic += lanes_.elastic[lane];
-    energy.friction += lanes_.friction[lane];
-    energy.damping += lanes_.damping[lane];
+    energy.friction += on_grid<energy_grid>(lanes_.friction[lane]);
+    energy.damping += on_grid<energy_grid>(lanes_.damping[lane]);
     if (!(lanes_.depth[lane] > 0)) continue;
     const int place = static_cast<int>(lanes_.place[lane]);
     clumps.force[place] += lanes_.push[lane];
     clumps.torque[place] += lanes_.torque[lane];
+    loading_contacts_.push_back(near_contacts_[lane].contact);
     loads_.push_back({static_cast<int>(lanes_.rod.rib[lane]),
                       {lanes_.rod_force1[lane], lanes_.rod_force2[lane]},
                       {lanes_.rod_moment1[lane], lanes_.rod_moment2[lane]}});
@@ -81,6 +85,13 @@ double RibContacts::elastic_energy() const
   double sum = 0;
   for (const RibContact& c : contacts_) sum += elastic_energy(c);
   return sum;
+}
+
+std::vector<double> RibContacts::elastic_energies() const
+{
+  std::vector<double> energies;
+  for (const RibContact& c : contacts_) energies.push_back(elastic_energy(c));
+  return energies;
 }
 
 double RibContacts::elastic_energy(const RibContact& c) const
@@ -146,7 +157,7 @@ void RibContacts::leave_to(int a, int b, double overlap, ContactEnergy& energy)
     lanes_.depth[a] += kept.shared;
     kept.shared = 0;
   } else if (left.overlap > 0) { // both touched before they became one: what b stored is lost
-    energy.damping += elastic_energy(left);
+    energy.damping += on_grid<energy_grid>(elastic_energy(left));
   }
   left.shared = overlap;
   lanes_.spring[b] = Vector3::Zero();

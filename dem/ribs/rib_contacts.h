@@ -41,12 +41,11 @@ public:
   RibContacts() = default;
   explicit RibContacts(ContactProperties stone_on_rib) : contact_(stone_on_rib) {}
 
-  // Makes the list complete for the present poses and chooses the near contacts. The motion of the
-  // ribs may be renewed by the caller at any time; `time_step` chooses the skin. Call it after the
-  // clumps were kicked.
+  // Makes the list complete for the present poses of all clumps but ghosts and chooses the near
+  // contacts. The motion of the ribs may be renewed by the caller at any time; `time_step` chooses
+  // the skin. Call it after the clumps were kicked.
   void update_list(const Clumps& clumps, const RibSet& ribs, double time_step);
   void invalidate() { valid_ = false; }
-  int builds() const { return builds_; } // of the list, so far
   void renumber_clumps(const std::vector<int>& new_index);
   void clear();
   // What the contacts remember, by ids of clumps, and going on from it with the same digits.
@@ -55,10 +54,12 @@ public:
 
   // Evaluates the near contacts at the present poses of the near clumps, which `clumps` holds in
   // the order of near_clumps(), and advances springs by `time_step` [s]. Adds to the clumps' forces
-  // and torques and returns the loads on the ribs, in the order of the contacts. energy.elastic is
-  // overwritten; friction and damping are added to.
+  // and torques and returns the loads on the ribs, in the order of the contacts; `loading_contacts`
+  // are the indices of these. energy.elastic is overwritten; friction and damping, numbers on the
+  // energy grid (dem/exact_sums.h), are added to.
   const std::vector<RodLoads>& evaluate(SubcycledClumps& clumps, const RibSet& ribs,
                                         double time_step, ContactEnergy& energy);
+  const std::vector<int>& loading_contacts() const { return loading_contacts_; }
 
   // The near contacts: those that may touch within the step to come, that is, those that touch and
   // those with
@@ -73,7 +74,8 @@ public:
   const std::vector<RibContact>& contacts() const { return contacts_; }
   const ContactProperties& properties() const { return contact_; }
   ContactProperties& properties() { return contact_; }
-  double elastic_energy() const; // of all of them, for the present properties [J]
+  double elastic_energy() const;                // of all of them, for the present properties [J]
+  std::vector<double> elastic_energies() const; // of each of them, the same [J]
   // Energy in the springs of the contacts of the marked clumps, at the last evaluation [J].
   double elastic_energy_of(const std::vector<bool>& clumps) const;
 
@@ -105,7 +107,6 @@ private:
 
   ContactProperties contact_;
   bool valid_ = false;
-  int builds_ = 0;
   double skin_ = 0; // [m]
   RibListWatch watch_;
   std::vector<RibContact> contacts_, old_contacts_;
@@ -119,5 +120,6 @@ private:
   RodPairs near_pairs_;                    // body: the place among the near clumps
   RibLanes lanes_;
   std::vector<RodLoads> loads_;
+  std::vector<int> loading_contacts_;
 };
 } // namespace interlock::dem

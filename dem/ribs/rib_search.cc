@@ -39,36 +39,4 @@ void RibSearch::find(const Box& place, std::vector<int>& ribs) const
     ribs.push_back(found->second);
   std::sort(ribs.begin(), ribs.end());
 }
-
-RibSurroundings::RibSurroundings(std::vector<Rib> ribs, double distance)
-    : ribs_(std::move(ribs)), distance_(distance), search_(ribs_, distance)
-{
-}
-
-RibSearch::Box RibSurroundings::box() const
-{
-  RibSearch::Box box;
-  for (std::size_t r = 0; r < ribs_.size(); ++r) box.extend(search_.box(static_cast<int>(r)));
-  return box;
-}
-
-bool RibSurroundings::holds(const Clumps& clumps, int i) const
-{
-  const auto ball = [](const Vector3& x, double radius) {
-    return RibSearch::Box(x.array() - radius, x.array() + radius);
-  };
-  std::vector<int> close;
-  search_.find(ball(clumps.position[i], clumps.bounding_radius(i)), close);
-  if (close.empty()) return false;
-  const std::vector<Sphere>& spheres = clumps.shape_of(i).spheres;
-  for (int a = 0; a < static_cast<int>(spheres.size()); ++a) {
-    const Vector3 centre = clumps.position[i] + clumps.member_offset(i, a);
-    const RibSearch::Box box = ball(centre, spheres[a].radius);
-    for (const int r : close)
-      if (search_.box(r).intersects(box) &&
-          rib_proximity(ribs_[r], centre, spheres[a].radius).overlap > -distance_)
-        return true;
-  }
-  return false;
-}
 } // namespace interlock::dem

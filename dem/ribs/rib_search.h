@@ -38,19 +38,4 @@ private:
   std::vector<Box> boxes_;
   boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>> tree_;
 };
-
-// Which clumps have a member sphere that is nearer than a distance to a rib, where both are now.
-class RibSurroundings
-{
-public:
-  RibSurroundings(std::vector<Rib> ribs, double distance); // [m]
-
-  bool holds(const Clumps& clumps, int clump) const;
-  RibSearch::Box box() const; // around all of it
-
-private:
-  std::vector<Rib> ribs_;
-  double distance_;
-  RibSearch search_;
-};
 } // namespace interlock::dem

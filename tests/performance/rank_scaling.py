@@ -45,7 +45,7 @@ def environment():
 
 
 PARTS = re.compile(r"rank (\d+): (\d+) stones and (\d+) ghosts in the mean; a step took ([\d.]+) us for forces, ([\d.]+) us "
-                   r"for the geogrid, ([\d.]+) us for ghosts and waiting, ([\d.]+) us for dealing \((\d+) times\) and "
+                   r"for contacts with ribs, ([\d.]+) us for the lattice, ([\d.]+) us for messages and waiting, ([\d.]+) us for dealing \((\d+) times\) and "
                    r"gathering \((\d+) times\)")
 
 
@@ -80,8 +80,8 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/bin/interlock")
     arguments = parser.parse_args()
     numbers = [int(word) for word in arguments.ranks.split(",")]
-    print("| case | ranks | a step | times faster | forces | geogrid | ghosts and waiting | dealing and gathering | imbalance | "
-          "ghosts over stones |\n|---|---|---|---|---|---|---|---|---|---|")
+    print("| case | ranks | a step | times faster | forces | ribs | lattice | messages and waiting | dealing and gathering | "
+          "imbalance | ghosts over stones |\n|---|---|---|---|---|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for case in [Case(word, folder) for word in arguments.cases or ["w1", "w2"]]:
@@ -93,13 +93,13 @@ def main():
                 parts = sorted(rounds, key=lambda one: one[n][0])[len(rounds) // 2][n][3]
                 text = f"| {case.name} | {n} | {1e6 * step:.1f} us | {gain:.2f} |"
                 if not parts:
-                    print(text + " | | | | | |")
+                    print(text + " | | | | | | |")
                     continue
                 columns = list(zip(*parts))
                 us = [" to ".join(f"{value:.1f}" for value in sorted({min(column), max(column)})) + " us"
-                      for column in columns[3:7]]
-                busy = [forces + geogrid for forces, geogrid in zip(columns[3], columns[4])]
-                print(text + f" {us[0]} | {us[1]} | {us[2]} | {us[3]} | {max(busy) / statistics.mean(busy) - 1:.0%} | "
+                      for column in columns[3:8]]
+                busy = [sum(parts) for parts in zip(*columns[3:6])]
+                print(text + f" {us[0]} | {us[1]} | {us[2]} | {us[3]} | {us[4]} | {max(busy) / statistics.mean(busy) - 1:.0%} | "
                       f"{sum(columns[2]) / sum(columns[1]):.2f} |", flush=True)
 
 

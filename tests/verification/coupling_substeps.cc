@@ -48,7 +48,11 @@ public:
   }
 
   int touching() const { return touching_; }
-  double bound(double dt) const { return dt / geogrid_.required_substeps(dt, contacts_); }
+  double bound(double dt) const
+  {
+    return dt / geogrid_.required_substeps(dt, geogrid_.contact_rates(contacts_),
+                                           contacts_.properties().damping_ratio);
+  }
 
   // 2 / omega of the beams alone, and of the whole without dashpots [s].
   double beam_limit() const { return 2 / std::sqrt(fastest(beams_)); }
