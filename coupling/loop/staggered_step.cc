@@ -190,7 +190,7 @@ dem::OverRanks StaggeredStep::over_ranks() const
 
 double StaggeredStep::sum_of_parts(double mine) const
 {
-  return is_dealt() ? domain_->ranks().sum(mine) : mine;
+  return is_dealt() ? domain_->ranks().sum_of(mine) : mine;
 }
 
 double StaggeredStep::total(const EnergySum& sum) const

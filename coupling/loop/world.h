@@ -74,7 +74,7 @@ public:
   // Over all ranks.
   bool any(bool mine) const { return largest(mine ? 1 : 0) > 0; }
   double largest(double mine) const { return domain_ ? domain_->ranks().largest(mine) : mine; }
-  double sum(double mine) const { return domain_ ? domain_->ranks().sum(mine) : mine; }
+  double sum(double mine) const { return domain_ ? domain_->ranks().sum_of(mine) : mine; }
   // Of what each rank counts in its part; where everything is everywhere, that of one.
   double sum_of_parts(double mine) const { return is_whole() ? mine : sum(mine); }
   // What the first rank that says anything says.

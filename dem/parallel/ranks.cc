@@ -59,7 +59,7 @@ void Ranks::sum(std::vector<double>& numbers) const
                 comm_);
 }
 
-double Ranks::sum(double mine) const
+double Ranks::sum_of(double mine) const
 {
   MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_DOUBLE, MPI_SUM, comm_);
   return mine;

@@ -24,7 +24,7 @@ public:
   // Sums over all ranks, entry by entry.
   std::vector<int> sum(std::vector<int> mine) const;
   void sum(std::vector<double>& numbers) const;
-  double sum(double mine) const;
+  double sum_of(double mine) const;
   double largest(double mine) const;
   // Sends `to`[r] to each rank r, this one too, and returns what each rank has sent here. Empty
   // messages cost nothing but their length.
