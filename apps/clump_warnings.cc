@@ -20,6 +20,7 @@ std::string stop_setting(dem::Stop stop)
   case dem::Stop::inertia_error:
     return "a smaller --target-inertia-error";
   case dem::Stop::all_nodes:
+  case dem::Stop::no_gain:
     break;
   }
   return "";

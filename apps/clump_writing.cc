@@ -64,6 +64,8 @@ void write_report(const std::string& path, const std::vector<ClumpResult>& resul
       {"r_min_m", p.r_min},
       {"p_max_percent", p.p_max},
       {"max_spheres", p.max_spheres},
+      {"sphere_order", p.sphere_order == dem::SphereOrder::gain ? "gain" : "random"},
+      {"bulge_m", p.bulge},
       {"target_volume_error", p.target_volume_error},
       {"target_inertia_error", p.target_inertia_error},
       {"touching_radius", p.touching_radius == dem::TouchingRadius::surface ? "surface" : "nodes"},
