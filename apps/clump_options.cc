@@ -146,6 +146,12 @@ void add_clump_options(CLI::App& command, ClumpOptions& options)
       ->delimiter(',');
   command.add_flag("--unusual", options.unusual,
                    "Take values that are far from those of ballast as they are");
+  add("--compare-orders", options.compared,
+      "Also tell how good clumps of these numbers of spheres are in both orders, as means over the "
+      "stones: --compare-orders 20,55,150")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->expected(1);
   add("--report", files.report,
       "Report file (default: the clump file's name with .report.json; several stones: "
       "clumps.report.json in their folder)");

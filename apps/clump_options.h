@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace interlock::apps
 {
@@ -18,6 +19,7 @@ struct ClumpOptions {
   double target_volume_error = 0, target_inertia_error = 0; // [%]
   bool flip = false, accept_crossings = false, unusual = false;
   std::optional<double> density; // [kg/m3]
+  std::vector<int> compared;     // numbers of spheres for both orders
   dem::ClumpParameters parameters;
 };
 

@@ -54,7 +54,7 @@ void write_files(const std::vector<dem::FileText>& texts)
 }
 
 void write_report(const std::string& path, const std::vector<ClumpResult>& results,
-                  const std::vector<Refusal>& refusals)
+                  const std::vector<Refusal>& refusals, const std::vector<OrderRow>& orders)
 {
   nlohmann::ordered_json report;
   const dem::ClumpParameters& p = results.front().parameters;
@@ -71,6 +71,7 @@ void write_report(const std::string& path, const std::vector<ClumpResult>& resul
       {"touching_radius", p.touching_radius == dem::TouchingRadius::surface ? "surface" : "nodes"},
       {"seed", p.seed}};
   for (const ClumpResult& result : results) report["clumps"].push_back(clump_json(result));
+  if (!orders.empty()) report["orders"] = orders_json(orders);
   for (const Refusal& refusal : refusals)
     report["refused"].push_back({{"file", refusal.stone}, {"reason", refusal.sentence}});
   // Names of files may hold bytes that are no UTF-8.
