@@ -150,8 +150,8 @@ void add_clump_options(CLI::App& command, ClumpOptions& options)
       "Also tell how good clumps of these numbers of spheres are in both orders, as means over the "
       "stones: --compare-orders 20,55,150")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
-      ->expected(1);
+      ->check(CLI::Range(1, 100000))
+      ->allow_extra_args(false);
   add("--report", files.report,
       "Report file (default: the clump file's name with .report.json; several stones: "
       "clumps.report.json in their folder)");
