@@ -1,6 +1,7 @@
 #include "apps/clump_command.h"
 
 #include "apps/clump_options.h"
+#include "apps/clump_orders.h"
 #include "apps/clump_table.h"
 #include "apps/clump_warnings.h"
 #include "apps/clump_writing.h"
@@ -64,6 +65,19 @@ ClumpResult make_clump(const StoneFiles& files, const ClumpOptions& options,
   return result;
 }
 
+// Of the stones from which a clump was made. Empty where no comparison was asked for.
+std::vector<OrderRow> compare(const std::vector<const StoneFiles*>& stones,
+                              const ClumpOptions& options, const dem::ClumpParameters& parameters)
+{
+  if (options.compared.empty()) return {};
+  const auto rows = compare_orders(options.compared, parameters, static_cast<int>(stones.size()),
+                                   [&](int stone, const dem::ClumpParameters& changed) {
+                                     return make_clump(*stones[stone], options, changed);
+                                   });
+  print_orders(rows);
+  return rows;
+}
+
 void make_one(const ClumpFiles& files, const ClumpOptions& options,
               const dem::ClumpParameters& parameters)
 {
@@ -76,7 +90,7 @@ void make_one(const ClumpFiles& files, const ClumpOptions& options,
   write_files(texts);
   std::printf("Clump: '%s'\n", stone.clump.c_str());
   std::printf("%s", export_lines(stone, result).c_str());
-  write_report(files.report, {result}, {});
+  write_report(files.report, {result}, {}, compare({&stone}, options, parameters));
   std::printf("Report: '%s'\n", files.report.c_str());
 }
 
@@ -139,7 +153,8 @@ void make_many(const ClumpFiles& files, const ClumpOptions& options,
                 clump_warnings(result).c_str(), export_remarks(*clumps.files[i], result).c_str());
   }
   std::printf("%zu clumps in '%s'\n", clumps.results.size(), files.folder.c_str());
-  write_report(files.report, clumps.results, clumps.refusals);
+  write_report(files.report, clumps.results, clumps.refusals,
+               compare(clumps.files, options, parameters));
   std::printf("Report: '%s'\n", files.report.c_str());
   throw_refusals(clumps.refusals, files.stones.size());
 }

@@ -50,19 +50,23 @@ void check_target(const char* option, double percent)
 
 dem::ClumpParameters clump_parameters(const ClumpOptions& options)
 {
+  dem::ClumpParameters parameters = options.parameters;
+  parameters.sphere_order = dem::sphere_order(options.order);
+  // By gain, spheres that add little come late: any d_min and r_min will do.
+  const double missing = parameters.sphere_order == dem::SphereOrder::gain ? 0 : -1;
+  parameters.d_min = options.d_min.value_or(missing);
+  parameters.r_min = options.r_min.value_or(missing);
   for (const auto& [name, value] :
-       {std::pair("--d-min", options.d_min), {"--r-min", options.r_min}})
+       {std::pair("--d-min", parameters.d_min), {"--r-min", parameters.r_min}})
     if (value < 0)
       throw InputError(std::string("The option ") + name +
                        " is missing or negative, but must be a length of 0 m or more.");
-  check_usual(options, "--d-min", options.d_min, "m");
-  check_usual(options, "--r-min", options.r_min, "m");
+  check_usual(options, "--d-min", parameters.d_min, "m");
+  check_usual(options, "--r-min", parameters.r_min, "m");
+  check_usual(options, "--bulge", parameters.bulge, "m");
   check_density(options);
   check_target("--target-volume-error", options.target_volume_error);
   check_target("--target-inertia-error", options.target_inertia_error);
-  dem::ClumpParameters parameters = options.parameters;
-  parameters.d_min = options.d_min;
-  parameters.r_min = options.r_min;
   parameters.mass_scheme = dem::mass_scheme(options.scheme);
   parameters.touching_radius = dem::touching_radius(options.radius);
   parameters.target_volume_error = options.target_volume_error / 100;
@@ -104,10 +108,17 @@ void add_clump_options(CLI::App& command, ClumpOptions& options)
   add("stones", files.stones,
       "Stones: closed meshes (.stl, .ply, .obj), clouds of points with normals (.ply, .xyz), or "
       "folders of them");
+  add("--sphere-order", options.order,
+      "Which sphere comes next: random (nodes as they are drawn, the paper's), or gain (the one "
+      "that adds most to the shape; --d-min and --r-min may then be left out)")
+      ->capture_default_str();
   add("--d-min", options.d_min, "Nodes nearer to a sphere's surface get no sphere [m]");
   add("--r-min", options.r_min, "Smaller spheres are rejected [m]");
+  add("--bulge", p.bulge,
+      "How far spheres may stand out of the surface so that their union has the stone's volume [m]")
+      ->capture_default_str();
   add("--p-max", p.p_max, "Largest share of the nodes to be used [%]")->capture_default_str();
-  add("--max-spheres", p.max_spheres, "Stop at this number of spheres (0: no limit)");
+  add("--spheres,--max-spheres", p.max_spheres, "Stop at this number of spheres (0: no limit)");
   add("--target-volume-error", options.target_volume_error,
       "Stop when the spheres' union has the stone's volume to within this [%]");
   add("--target-inertia-error", options.target_inertia_error,
@@ -135,6 +146,12 @@ void add_clump_options(CLI::App& command, ClumpOptions& options)
       ->delimiter(',');
   command.add_flag("--unusual", options.unusual,
                    "Take values that are far from those of ballast as they are");
+  add("--compare-orders", options.compared,
+      "Also tell how good clumps of these numbers of spheres are in both orders, as means over the "
+      "stones: --compare-orders 20,55,150")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 100000))
+      ->allow_extra_args(false);
   add("--report", files.report,
       "Report file (default: the clump file's name with .report.json; several stones: "
       "clumps.report.json in their folder)");

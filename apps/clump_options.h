@@ -8,16 +8,18 @@
 #include <CLI/CLI.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace interlock::apps
 {
 struct ClumpOptions {
   ClumpArguments files;
-  std::string scheme = "mesh", radius = "surface", unit = "m", table;
-  double d_min = -1, r_min = -1;                            // negative: not given [m]
+  std::string scheme = "mesh", radius = "surface", order = "random", unit = "m", table;
+  std::optional<double> d_min, r_min;                       // [m]
   double target_volume_error = 0, target_inertia_error = 0; // [%]
   bool flip = false, accept_crossings = false, unusual = false;
   std::optional<double> density; // [kg/m3]
+  std::vector<int> compared;     // numbers of spheres for both orders
   dem::ClumpParameters parameters;
 };
 

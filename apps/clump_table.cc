@@ -14,6 +14,8 @@ constexpr const char* scheme_names[] = {"uniform", "equal-mass", "mesh"};
 const char* stop_text(dem::Stop stop)
 {
   switch (stop) {
+  case dem::Stop::no_gain:
+    return "no sphere left that adds to the shape";
   case dem::Stop::p_max:
     return "p_max";
   case dem::Stop::max_spheres:
@@ -75,6 +77,9 @@ void print_clump(const ClumpResult& result)
               1e3 * report.surface_distance_max);
   std::printf("  volume of the spheres' union against the stone: %+.2f %% +- %.2f %%\n",
               100 * report.volume_error, 100 * report.volume_uncertainty);
+  if (result.parameters.bulge > 0)
+    std::printf("  spheres made larger by %.3f mm of %.3f mm allowed, to meet the volume\n",
+                1e3 * report.bulge, 1e3 * result.parameters.bulge);
   std::printf("  groups of spheres that touch or overlap: %d\n", report.groups);
   std::printf("  %-16s %20s %20s %20s\n", "mass properties", "error of moments [%]",
               "axes off by [deg]", "centre off by [mm]");
@@ -216,6 +221,7 @@ nlohmann::ordered_json clump_json(const ClumpResult& result)
       {"stopped_by", stop_text(report.stop)},
       {"volume_error", report.volume_error},
       {"volume_error_uncertainty", report.volume_uncertainty},
+      {"bulge_m", report.bulge},
       {"groups", report.groups},
       {"surface_distance_mean_m", report.surface_distance_mean},
       {"surface_distance_95_m", report.surface_distance_95},

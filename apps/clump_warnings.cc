@@ -20,6 +20,7 @@ std::string stop_setting(dem::Stop stop)
   case dem::Stop::inertia_error:
     return "a smaller --target-inertia-error";
   case dem::Stop::all_nodes:
+  case dem::Stop::no_gain:
     break;
   }
   return "";
@@ -33,6 +34,7 @@ std::string joining_setting(const ClumpResult& result)
 {
   const double d_min = result.parameters.d_min, r_min = result.parameters.r_min;
   const std::string stop = stop_setting(result.report.stop);
+  if (result.report.stop == dem::Stop::max_spheres) return stop + ", or --sphere-order gain";
   if (d_min > r_min) return (stop.empty() ? "" : stop + " and ") + "--d-min not above --r-min";
   if (!stop.empty()) return stop;
   return d_min > 0 ? "a smaller --d-min or a larger --r-min" : "a larger --r-min";

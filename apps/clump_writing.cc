@@ -54,7 +54,7 @@ void write_files(const std::vector<dem::FileText>& texts)
 }
 
 void write_report(const std::string& path, const std::vector<ClumpResult>& results,
-                  const std::vector<Refusal>& refusals)
+                  const std::vector<Refusal>& refusals, const std::vector<OrderRow>& orders)
 {
   nlohmann::ordered_json report;
   const dem::ClumpParameters& p = results.front().parameters;
@@ -64,11 +64,14 @@ void write_report(const std::string& path, const std::vector<ClumpResult>& resul
       {"r_min_m", p.r_min},
       {"p_max_percent", p.p_max},
       {"max_spheres", p.max_spheres},
+      {"sphere_order", p.sphere_order == dem::SphereOrder::gain ? "gain" : "random"},
+      {"bulge_m", p.bulge},
       {"target_volume_error", p.target_volume_error},
       {"target_inertia_error", p.target_inertia_error},
       {"touching_radius", p.touching_radius == dem::TouchingRadius::surface ? "surface" : "nodes"},
       {"seed", p.seed}};
   for (const ClumpResult& result : results) report["clumps"].push_back(clump_json(result));
+  if (!orders.empty()) report["orders"] = orders_json(orders);
   for (const Refusal& refusal : refusals)
     report["refused"].push_back({{"file", refusal.stone}, {"reason", refusal.sentence}});
   // Names of files may hold bytes that are no UTF-8.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/clump_files.h"
+#include "apps/clump_orders.h"
 #include "apps/clump_table.h"
 
 namespace interlock::apps
@@ -18,9 +19,10 @@ std::vector<dem::FileText> clump_texts(const StoneFiles& files, const ClumpResul
 // written.
 void write_files(const std::vector<dem::FileText>& texts);
 
-// JSON of all clumps, of which there must be one at least. Throws likewise.
+// JSON of all clumps, of which there must be one at least, and of both orders where they were
+// compared. Throws likewise.
 void write_report(const std::string& path, const std::vector<ClumpResult>& results,
-                  const std::vector<Refusal>& refusals);
+                  const std::vector<Refusal>& refusals, const std::vector<OrderRow>& orders);
 
 // A line for each other code.
 std::string export_lines(const StoneFiles& files, const ClumpResult& result);

@@ -42,6 +42,13 @@ void declare_stones(ParameterTable& table, StoneParameters& stones)
                 "Clump generator: stop when this share of the surface nodes has been used. [%]");
   table.offer("Max spheres", stones.max_spheres, 0, {0, 100000, true},
               "Clump generator: largest number of spheres in a clump; 0: no limit. [-]");
+  table.offer_choice(
+      "Sphere order", stones.sphere_order, "random", {"random", "gain"},
+      "Clump generator: which sphere comes next, that of a node drawn at random (the "
+      "paper's), or the one that adds most to the shape.");
+  table.offer("Bulge", stones.bulge, 0, not_negative,
+              "Clump generator: how far spheres may stand out of the surface, so that their union "
+              "has the volume of the stone. [m]");
   table.offer_choice("Mass properties", stones.mass_properties, "mesh",
                      {"uniform", "equal-mass", "mesh"},
                      "Mass, centre and inertia of a clump: spheres of the same density, spheres of "
@@ -59,9 +66,10 @@ void check_stones(const StoneParameters& stones, ParameterProblems& problems)
   const bool scans = !error && std::any_of(begin(files), end(files), is_scan);
   const bool clumps = !error && !dem::clump_files(stones.folder).empty();
   if (!error && !scans && !clumps)
-    problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
-                 "\" holds no file that ends with .stl, .ply, .obj or .clump.json (names that start "
-                 "with a dot do not count).");
+    problems.add(
+        "Stones/Folder", "The folder of scans \"", stones.folder,
+        "\" holds no file that ends with .stl, .ply, .obj or .clump.json (names that start "
+        "with a dot do not count).");
   if (scans && clumps)
     problems.add("Stones/Folder", "The folder \"", stones.folder,
                  "\" holds scans and clumps; move one of them elsewhere.");

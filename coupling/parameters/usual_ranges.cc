@@ -32,7 +32,8 @@ const std::vector<Row>& table()
       {{"Stones/Length unit", "Mesh wall/Length unit", "Laboratory/Lattice length unit"},
        {1e-7, 1, {}}},
       // Spheres of a clump: the finest mesh of a scan, the largest stone.
-      {{"Stones/D min", "Stones/R min", "--d-min", "--r-min"}, {1e-6, 0.05, lengths}},
+      {{"Stones/D min", "Stones/R min", "--d-min", "--r-min", "--bulge", "Stones/Bulge"},
+       {1e-6, 0.05, lengths}},
       {{"Box/Length", "Box/Width", "Box/Height", "Drop/Floor side"}, {0.02, 10, lengths}},
       {{"Box/Slot height"}, {5e-4, 0.5, lengths}},
       // Of a contact: 1e5 is foam, 1e11 a steel block.

@@ -44,8 +44,8 @@ std::vector<std::string> quality_warnings(const std::vector<Stone>& stones)
     const Stone& worst = *std::max_element(stones.begin(), stones.end(), by_groups);
     warnings.push_back(fmt::format(
         "{} of {} clumps {} in pieces, groups of spheres that do not touch each other (\"{}\" in "
-        "{}): ribs and corners of other stones pass between them; set Stones/D min below Stones/R "
-        "min, P max to 100 and Max spheres to 0.",
+        "{}): ribs and corners of other stones pass between them; set Stones/Sphere order to gain, "
+        "or Stones/D min below Stones/R min, P max to 100 and Max spheres to 0.",
         pieces, n, pieces == 1 ? "is" : "are", worst.shape.name, worst.groups));
   }
   const auto off = std::count_if(stones.begin(), stones.end(), [](const Stone& stone) {
@@ -58,8 +58,9 @@ std::vector<std::string> quality_warnings(const std::vector<Stone>& stones)
         });
     warnings.push_back(fmt::format(
         "The spheres of {} of {} clumps are off by more than {:.0f} % of their stone's volume "
-        "(\"{}\" by {:+.0f} %): the packing is not that of the stones; more spheres come with "
-        "smaller Stones/D min and R min, P max of 100 and Max spheres of 0.",
+        "(\"{}\" by {:+.0f} %): the packing is not that of the stones; Stones/Bulge "
+        "meets the volume, and more spheres come with smaller Stones/D min and R min, P max of 100 "
+        "and Max spheres of 0.",
         off, n, 100 * largest_volume_error, worst.shape.name, 100 * worst.volume_error));
   }
   return warnings;

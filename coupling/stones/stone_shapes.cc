@@ -51,13 +51,6 @@ std::vector<NamedMesh> synthetic(const StoneParameters& parameters)
   return meshes;
 }
 
-dem::MassScheme mass_scheme(const std::string& name)
-{
-  if (name == "uniform") return dem::MassScheme::uniform;
-  if (name == "equal-mass") return dem::MassScheme::equal_mass;
-  return dem::MassScheme::mesh;
-}
-
 Stone make_stone(const dem::TriangleMesh& mesh, const dem::ClumpParameters& parameters)
 {
   dem::ClumpReport report;
@@ -119,7 +112,9 @@ std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor&
   clump.r_min = parameters.r_min;
   clump.p_max = parameters.p_max;
   clump.max_spheres = parameters.max_spheres;
-  clump.mass_scheme = mass_scheme(parameters.mass_properties);
+  clump.sphere_order = dem::sphere_order(parameters.sphere_order);
+  clump.bulge = parameters.bulge;
+  clump.mass_scheme = dem::mass_scheme(parameters.mass_properties);
 
   std::vector<Stone> stones;
   for (const NamedMesh& scan : meshes) {

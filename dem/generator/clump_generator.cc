@@ -1,13 +1,14 @@
 #include "dem/generator/clump_generator.h"
 
+#include "dem/generator/bulge.h"
+#include "dem/generator/clump_surface.h"
+#include "dem/generator/gain_order.h"
 #include "dem/generator/largest_ball.h"
-#include "dem/generator/stop_rules.h"
+#include "dem/generator/random_order.h"
 #include "dem/input_error.h"
-#include "dem/random_stream.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <sstream>
 #include <tuple>
 
@@ -24,6 +25,7 @@ void check_parameters(const ClumpParameters& parameters)
   const auto is_length = [](double x) { return x >= 0 && std::isfinite(x); };
   require(is_length(parameters.d_min), "d_min", parameters.d_min, "a length of 0 m or more");
   require(is_length(parameters.r_min), "r_min", parameters.r_min, "a length of 0 m or more");
+  require(is_length(parameters.bulge), "bulge", parameters.bulge, "a length of 0 m or more");
   require(parameters.p_max > 0 && parameters.p_max <= 100, "p_max", parameters.p_max,
           "above 0 % and at most 100 %");
   require(parameters.max_spheres >= 0, "max_spheres", parameters.max_spheres,
@@ -40,56 +42,6 @@ void check_parameters(const ClumpParameters& parameters)
 
 namespace
 {
-// A closed surface as the generator sees it.
-struct Surface {
-  const std::vector<Vector3>& nodes;
-  std::vector<Vector3> outward; // unit normals of the nodes
-  // The largest ball at a node along its inward normal; radius 0 or infinite: there is none.
-  std::function<Sphere(int node, const Vector3& inward)> ball;
-  MassProperties mass;
-};
-
-// The spheres in the frame of the surface. Counts nodes into `report`.
-std::vector<Sphere> grow_spheres(const Surface& surface, const ClumpParameters& parameters,
-                                 ClumpReport& report)
-{
-  const int nodes = static_cast<int>(surface.nodes.size());
-  Eigen::AlignedBox3d box;
-  for (const Vector3& node : surface.nodes) box.extend(node);
-  // A sphere touches the node on its far side to within round-off, which must not count as nearer
-  // than d_min = 0.
-  const double threshold = parameters.d_min - 1e-9 * box.sizes().maxCoeff();
-  const double allowed = parameters.p_max / 100 * nodes;
-  StopRules rules(parameters, surface.mass, box);
-
-  std::vector<Sphere> spheres;
-  report.nodes = nodes;
-  for (const int node : RandomStream(parameters.seed).permutation(nodes)) {
-    if (report.nodes_used >= allowed) {
-      if (parameters.p_max < 100) report.stop = Stop::p_max;
-      break;
-    }
-    const Vector3& p = surface.nodes[node];
-    if (std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& s) {
-          const double reach = std::max(0., s.radius + threshold);
-          return (p - s.centre).squaredNorm() < reach * reach;
-        }))
-      continue;
-    ++report.nodes_used;
-    const Sphere ball = surface.ball(node, -surface.outward[node]);
-    if (!(ball.radius > 0 && std::isfinite(ball.radius) && ball.radius >= parameters.r_min)) {
-      ++report.rejected;
-      continue;
-    }
-    spheres.push_back(ball);
-    if (const auto stop = rules.after(spheres)) {
-      report.stop = *stop;
-      break;
-    }
-  }
-  return spheres;
-}
-
 ClumpShape in_body_frame(const std::vector<Sphere>& spheres, const MassProperties& mass,
                          const PrincipalFrame& frame)
 {
@@ -107,11 +59,14 @@ ClumpShape in_body_frame(const std::vector<Sphere>& spheres, const MassPropertie
   return shape;
 }
 
-ClumpShape make_clump(const Surface& surface, const ClumpParameters& parameters,
+ClumpShape make_clump(const ClumpSurface& surface, const ClumpParameters& parameters,
                       ClumpReport* report)
 {
   ClumpReport counts;
-  const std::vector<Sphere> spheres = grow_spheres(surface, parameters, counts);
+  counts.nodes = static_cast<int>(surface.nodes.size());
+  const bool by_gain = parameters.sphere_order == SphereOrder::gain;
+  std::vector<Sphere> spheres = by_gain ? spheres_in_gain_order(surface, parameters, counts)
+                                        : spheres_in_random_order(surface, parameters, counts);
   if (spheres.empty()) {
     std::ostringstream text;
     text << "No sphere is left in the clump: all " << counts.rejected
@@ -119,6 +74,8 @@ ClumpShape make_clump(const Surface& surface, const ClumpParameters& parameters,
          << " m; choose a smaller r_min.";
     throw InputError(text.str());
   }
+  counts.bulge = bulge_for_volume(spheres, surface.mass.volume, parameters.bulge);
+  spheres = bulged(std::move(spheres), counts.bulge);
   const MassProperties mass = clump_mass_properties(surface.mass, spheres, parameters.mass_scheme);
   const PrincipalFrame frame = principal_frame(mass);
   if (report) {
@@ -145,7 +102,11 @@ ClumpShape make_clump(const TriangleMesh& stone, const ClumpParameters& paramete
                       ClumpReport* report)
 {
   check_parameters(parameters);
-  Surface surface{stone.vertices, node_normals(stone), {}, mass_properties(stone)};
+  ClumpSurface surface{stone.vertices,
+                       node_normals(stone),
+                       {},
+                       [&] { return node_areas(stone); },
+                       mass_properties(stone)};
   if (parameters.touching_radius == TouchingRadius::nodes)
     surface.ball = ball_among_nodes(stone.vertices);
   else
@@ -160,8 +121,10 @@ ClumpShape make_clump(const PointCloud& stone, const MassProperties& body,
   check_parameters(parameters);
   if (parameters.touching_radius != TouchingRadius::nodes)
     throw InputError("A cloud of points has no facets: its touching radius must be 'nodes'.");
-  return make_clump(Surface{stone.points, stone.normals, ball_among_nodes(stone.points), body},
-                    parameters, report);
+  const auto even_areas = [&] { return std::vector<double>(stone.points.size(), 1.); };
+  return make_clump(
+      ClumpSurface{stone.points, stone.normals, ball_among_nodes(stone.points), even_areas, body},
+      parameters, report);
 }
 
 MassScheme mass_scheme(const std::string& name)
@@ -178,5 +141,12 @@ TouchingRadius touching_radius(const std::string& name)
   if (name == "surface") return TouchingRadius::surface;
   if (name == "nodes") return TouchingRadius::nodes;
   throw InputError("The touching radius is '" + name + "', but must be 'surface' or 'nodes'.");
+}
+
+SphereOrder sphere_order(const std::string& name)
+{
+  if (name == "random") return SphereOrder::random;
+  if (name == "gain") return SphereOrder::gain;
+  throw InputError("The order of the spheres is '" + name + "', but must be 'random' or 'gain'.");
 }
 } // namespace interlock::dem

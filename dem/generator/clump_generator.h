@@ -15,6 +15,10 @@ namespace interlock::dem
 // large facets). See largest_ball.h.
 enum class TouchingRadius { surface, nodes };
 
+// Which ball comes next: that of a node drawn at random (the paper's), or the one that adds most to
+// the shape (gain_order.h).
+enum class SphereOrder { random, gain };
+
 struct ClumpParameters {
   double d_min = 0;   // a node nearer than this to a sphere's surface gets no sphere [m]
   double r_min = 0;   // smaller spheres are rejected [m]
@@ -22,6 +26,10 @@ struct ClumpParameters {
   TouchingRadius touching_radius = TouchingRadius::surface;
   MassScheme mass_scheme = MassScheme::mesh;
   std::uint64_t seed = 1; // of the order in which nodes are drawn
+  SphereOrder sphere_order = SphereOrder::random;
+  // By how much spheres may stand out of the surface, so that their union has the stone's volume
+  // [m]: each is made larger by the same length, no more than is needed (bulge.h).
+  double bulge = 0;
   // More stop rules; 0 leaves a rule out. The first that holds stops.
   int max_spheres = 0;
   double target_volume_error = 0;  // |volume of the union - stone|/stone
@@ -31,13 +39,13 @@ struct ClumpParameters {
 // Throws InputError when a parameter is out of range; make_clump does so too.
 void check_parameters(const ClumpParameters& parameters);
 
-// Draws the nodes of the closed, outward mesh `stone` in random order; skips a node nearer than
-// d_min to the surface of a kept sphere; grows the largest ball that touches the node from inside;
-// rejects it below r_min; stops when p_max per cent of the nodes have had a ball grown, kept or
-// rejected, or by another stop rule. Deterministic from the seed. The mass is always that of the
-// mesh; centre, axes and inertia are those of the scheme. Spheres come out in descending radius.
-// `report` gets the errors of all schemes. Throws InputError when no sphere is left (r_min too
-// large) or a parameter is out of range.
+// Takes the nodes of the closed, outward mesh `stone` in the order asked for; skips a node nearer
+// than d_min to the surface of a kept sphere; grows the largest ball that touches the node from
+// inside; rejects it below r_min; stops when p_max per cent of the nodes are used (see
+// ClumpReport::nodes_used), or by another stop rule; bulges. Deterministic from the seed. The mass
+// is always that of the mesh; centre, axes and inertia are those of the scheme. Spheres come out in
+// descending radius. `report` gets the errors of all schemes. Throws InputError when no sphere is
+// left (r_min too large) or a parameter is out of range.
 ClumpShape make_clump(const TriangleMesh& stone, const ClumpParameters& parameters,
                       ClumpReport* report = nullptr);
 
@@ -51,4 +59,7 @@ MassScheme mass_scheme(const std::string& name);
 
 // "surface" or "nodes". Throws InputError for other names.
 TouchingRadius touching_radius(const std::string& name);
+
+// "random" or "gain". Throws InputError for other names.
+SphereOrder sphere_order(const std::string& name);
 } // namespace interlock::dem

@@ -15,13 +15,14 @@ enum class MassScheme {
 };
 
 // Why the generator stopped.
-enum class Stop { all_nodes, p_max, max_spheres, volume_error, inertia_error };
+enum class Stop { all_nodes, no_gain, p_max, max_spheres, volume_error, inertia_error };
 
 // Against the closed surface (all relative, except where a unit is given).
 struct ClumpReport {
   int nodes = 0;      // of the surface
-  int nodes_used = 0; // a ball was grown there, kept or rejected
+  int nodes_used = 0; // a ball was grown there, kept or rejected; in the order by gain: kept
   int rejected = 0;   // balls smaller than r_min
+  double bulge = 0;   // by which each sphere was made larger [m]
   Stop stop = Stop::all_nodes;
   // Per scheme (indexed by MassScheme), after scaling the mass to that of the stone: error of the
   // principal moments (mean of the three absolute relative errors), largest angle between principal

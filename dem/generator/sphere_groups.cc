@@ -4,15 +4,19 @@
 
 namespace interlock::dem
 {
+bool spheres_touch(const Sphere& a, const Sphere& b)
+{
+  const double reach = (1 + 1e-9) * (a.radius + b.radius);
+  return (a.centre - b.centre).squaredNorm() <= reach * reach;
+}
+
 int sphere_groups(const std::vector<Sphere>& spheres)
 {
   const int count = static_cast<int>(spheres.size());
   ConnectedParts parts(spheres.size());
   for (int i = 0; i < count; ++i)
-    for (int j = 0; j < i; ++j) {
-      const double reach = (1 + 1e-9) * (spheres[i].radius + spheres[j].radius);
-      if ((spheres[i].centre - spheres[j].centre).squaredNorm() <= reach * reach) parts.join(i, j);
-    }
+    for (int j = 0; j < i; ++j)
+      if (spheres_touch(spheres[i], spheres[j])) parts.join(i, j);
   int groups = 0;
   for (int i = 0; i < count; ++i) groups += parts.part(i) == i;
   return groups;

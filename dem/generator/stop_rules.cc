@@ -8,15 +8,19 @@ StopRules::StopRules(const ClumpParameters& parameters, const MassProperties& st
                      const Eigen::AlignedBox3d& box)
     : parameters_(parameters), stone_(stone)
 {
-  if (parameters.target_volume_error > 0) union_.emplace(box);
+  const Vector3 margin = Vector3::Constant(parameters.bulge);
+  if (parameters.target_volume_error > 0)
+    union_.emplace(Eigen::AlignedBox3d(box.min() - margin, box.max() + margin));
 }
 
 std::optional<Stop> StopRules::after(const std::vector<Sphere>& spheres)
 {
   if (union_) {
-    union_->add(spheres.back());
-    if (std::abs(union_->volume() - stone_.volume) <=
-        parameters_.target_volume_error * stone_.volume)
+    union_->add({spheres.back().centre, spheres.back().radius + parameters_.bulge});
+    const double excess = union_->volume() - stone_.volume;
+    const double allowed = parameters_.target_volume_error * stone_.volume;
+    // With a bulge too much is as good: a smaller one meets the volume.
+    if (excess >= -allowed && (excess <= allowed || parameters_.bulge > 0))
       return Stop::volume_error;
   }
   if (parameters_.target_inertia_error > 0) {

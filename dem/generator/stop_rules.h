@@ -15,6 +15,8 @@ public:
   StopRules(const ClumpParameters& parameters, const MassProperties& stone,
             const Eigen::AlignedBox3d& box);
 
+  // Spheres come without the bulge that they may get. The error of the volume is the one with the
+  // bulge that brings it nearest, that of the moments the one without.
   // To be called after each kept sphere, the last of `spheres` (frame of the stone): the rule that
   // now holds, if any does.
   std::optional<Stop> after(const std::vector<Sphere>& spheres);

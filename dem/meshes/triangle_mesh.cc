@@ -95,15 +95,29 @@ Vector3 extents(const TriangleMesh& mesh)
   return box.isEmpty() ? Vector3(Vector3::Zero()) : Vector3(box.sizes());
 }
 
+namespace
+{
+double facet_area(const TriangleMesh& mesh, const std::array<int, 3>& triangle)
+{
+  const Vector3& a = mesh.vertices[triangle[0]];
+  const Vector3 ab = mesh.vertices[triangle[1]] - a, ac = mesh.vertices[triangle[2]] - a;
+  return ab.cross(ac).norm() / 2;
+}
+} // namespace
+
 double surface_area(const TriangleMesh& mesh)
 {
   double area = 0;
-  for (const auto& triangle : mesh.triangles) {
-    const Vector3& a = mesh.vertices[triangle[0]];
-    const Vector3 ab = mesh.vertices[triangle[1]] - a, ac = mesh.vertices[triangle[2]] - a;
-    area += ab.cross(ac).norm() / 2;
-  }
+  for (const auto& triangle : mesh.triangles) area += facet_area(mesh, triangle);
   return area;
+}
+
+std::vector<double> node_areas(const TriangleMesh& mesh)
+{
+  std::vector<double> areas(mesh.vertices.size(), 0.);
+  for (const auto& triangle : mesh.triangles)
+    for (const int node : triangle) areas[node] += facet_area(mesh, triangle) / 3;
+  return areas;
 }
 
 std::vector<Vector3> node_normals(const TriangleMesh& mesh)

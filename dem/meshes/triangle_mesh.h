@@ -45,6 +45,9 @@ Vector3 extents(const TriangleMesh& mesh);
 // Area of the surface [m2].
 double surface_area(const TriangleMesh& mesh);
 
+// A third of the area of the facets around each vertex [m2]; they sum to that of the surface.
+std::vector<double> node_areas(const TriangleMesh& mesh);
+
 // Unit outward normal of each vertex: the mean of its facets' normals weighted by the angle at the
 // vertex, so that it does not depend on how the faces are cut into triangles. Source: Thuermer and
 // Wuethrich, J. Graphics Tools 3(1) (1998). Zero where the facets cancel or the vertex has none.

@@ -39,7 +39,7 @@ TEST(ClumpWarnings, GoodClumpsHaveNone)
 TEST(ClumpWarnings, Groups)
 {
   expect_words(apps::clump_warnings(clump(3, 0, dem::Stop::max_spheres)),
-               {"'a' are in 3 groups", "larger --max-spheres.\n"});
+               {"'a' are in 3 groups", "larger --max-spheres, or --sphere-order gain.\n"});
   expect_words(apps::clump_warnings(clump(2, 0, dem::Stop::p_max)), {"larger --p-max."});
   expect_words(apps::clump_warnings(clump(2, 0, dem::Stop::all_nodes)),
                {"choose a smaller --d-min or a larger --r-min."});

@@ -245,7 +245,7 @@ TEST(UsualRanges, AreThoseOfAllPhysicalEntries)
         EXPECT_NE(coupling::usual_range(entry.key()), nullptr) << entry.key();
     }
   }
-  const std::set<std::string> options = {"--density", "--d-min", "--r-min"}; // of clump
+  const std::set<std::string> options = {"--density", "--d-min", "--r-min", "--bulge"}; // of clump
   for (const std::string& key : coupling::keys_with_usual_range())
     EXPECT_TRUE(known.count(key) == 1 || options.count(key) == 1) << key;
 }

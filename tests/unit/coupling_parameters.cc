@@ -71,6 +71,7 @@ TEST_F(Entries, FillOneMemberEach)
       {"Stones/D min", &p.stones.d_min},
       {"Stones/R min", &p.stones.r_min},
       {"Stones/P max", &p.stones.p_max},
+      {"Stones/Bulge", &p.stones.bulge},
       {"Box/Length", &p.box.length},
       {"Box/Width", &p.box.width},
       {"Box/Height", &p.box.height},
@@ -120,8 +121,8 @@ TEST_F(Entries, FillOneMemberEach)
       {"Geogrid/Elements per rib", &p.geogrid.elements_per_rib},
       {"Output/Records", &p.output.records},
       {"Output/Field frames", &p.output.field_frames}};
-  // Kind, 2 seeds, 3 truth values, folder, placement, mass properties, state to start from.
-  const std::size_t others = 10;
+  // Kind, 2 seeds, 3 truth values, folder, placement, mass properties, order, state to start from.
+  const std::size_t others = 11;
   EXPECT_EQ(table.entries().size(), numbers.size() + counts.size() + others);
 
   // A different value for each, inside every range; only then are they compared.
@@ -140,12 +141,15 @@ TEST_F(Entries, FillWordsSeedsAndTruthValues)
 {
   EXPECT_TRUE(set("Stones/Seed", "7") && set("Filling/Seed", "8"));
   EXPECT_TRUE(set("Stones/Folder", "some/scans") && set("Stones/Mass properties", "equal-mass"));
+  EXPECT_TRUE(set("Stones/Sphere order", "gain"));
   EXPECT_TRUE(set("Geogrid/Rigid", "true") && set("Geogrid/Placement", "not flattened"));
   EXPECT_TRUE(set("Output/Report", "false"));
   EXPECT_EQ(parameters.stones.seed, 7u);
   EXPECT_EQ(parameters.filling.seed, 8u);
   EXPECT_EQ(parameters.stones.folder, "some/scans");
   EXPECT_EQ(parameters.stones.mass_properties, "equal-mass");
+  EXPECT_EQ(parameters.stones.sphere_order, "gain");
+  EXPECT_FALSE(set("Stones/Sphere order", "volume"));
   EXPECT_TRUE(parameters.geogrid.rigid);
   EXPECT_EQ(parameters.geogrid.placement, "not flattened");
   EXPECT_FALSE(parameters.output.report);
@@ -198,6 +202,8 @@ TEST_F(Entries, HaveDefaultsOnlyWherePhysicsDoesNotDependOnThem)
                                                  "Stones/Count",
                                                  "Stones/Seed",
                                                  "Stones/Max spheres",
+                                                 "Stones/Sphere order",
+                                                 "Stones/Bulge",
                                                  "Filling/Seed",
                                                  "Stones/Mass properties",
                                                  "Contact/Stone on box friction",
