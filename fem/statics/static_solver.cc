@@ -67,9 +67,6 @@ Ramp ramp(const StaticState& state, double share, double part)
 // A load step that fails is halved, up to ten times; one that may have left the branch, up to six.
 constexpr int finest = 1024, doubt_ends = finest / 64;
 
-// Share of the forces that may be unbalanced at rest.
-constexpr double largest_imbalance = 1e-6;
-
 void require_node(const Lattice& lattice, int node, const std::string& what)
 {
   if (node < 0 || node >= lattice.n_nodes())
@@ -248,10 +245,10 @@ void StaticSolver::require_balance()
   const Balance now = balance(state_, options_.rbf);
   largest_forces_ = std::max(largest_forces_, now.scale);
   imbalance_ = largest_forces_ > 0 ? now.error / largest_forces_ : 0;
-  if (!(imbalance_ <= largest_imbalance))
+  if (!(imbalance_ <= options_.largest_imbalance))
     throw std::runtime_error("Reactions and loads do not balance: " + number_text(imbalance_) +
                              " of the forces is left, but at most " +
-                             number_text(largest_imbalance) +
+                             number_text(options_.largest_imbalance) +
                              " may be; loads that strain the ribs by so little drown in rounding.");
 }
 

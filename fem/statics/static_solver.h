@@ -57,8 +57,8 @@ public:
   // Returns the number of Newton iterations. Throws std::runtime_error when PETSc is not running,
   // when the lattice is not held, when a load step does not converge or an element stays folded
   // (the state is that of the last load step that was right), or when reactions and loads leave
-  // more than 1e-6 of the forces unbalanced, as they do where rounding of the axial stiffness is
-  // larger.
+  // more than StaticOptions::largest_imbalance unbalanced, as they do where rounding of the axial
+  // stiffness is larger.
   int solve();
   // Follows the equilibrium path by arc length through limit points and snap-back, see ArcLength:
   // the loads are those that the state is at rest under plus the load factor times what has been

@@ -36,14 +36,8 @@ public:
   {
     return std::uniform_real_distribution<double>(low, high)(generator_);
   }
-  double decades(double low, double high)
-  {
-    return std::exp(even(std::log(low), std::log(high)));
-  }
-  int whole(int low, int high)
-  {
-    return std::uniform_int_distribution<int>(low, high)(generator_);
-  }
+  double decades(double low, double high) { return std::exp(even(std::log(low), std::log(high))); }
+  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(generator_); }
   bool coin() { return whole(0, 1) == 1; }
   Vector3d vector() { return {even(-1, 1), even(-1, 1), even(-1, 1)}; }
 
