@@ -153,7 +153,9 @@ std::unique_ptr<fem::StaticSolver> Laboratory::new_solver(bool stable_branch) co
 {
   fem::StaticOptions options;
   options.stable_branch = stable_branch;
+  if (stable_branch) options.longest_turn = 0.5;
   options.load_steps = 1;
+  options.largest_imbalance = 1e-6;
   return std::make_unique<fem::StaticSolver>(*lattice_, options);
 }
 
@@ -172,6 +174,11 @@ void Laboratory::finish(const std::string& test, const std::vector<std::string>&
     history_->add({test, columns[0], point.deformation, columns[1], point.load});
   std::string stem = test;
   std::replace(stem.begin(), stem.end(), ' ', '_');
+  const std::map<fem::Stability, std::string> words = {{fem::Stability::stable, "stable"},
+                                                       {fem::Stability::unstable, "unstable"},
+                                                       {fem::Stability::not_known, "not known"}};
+  summary_.results[stem + "_equilibrium"] = words.at(result.solver->stability());
+  summary_.results[stem + "_imbalance"] = result.solver->imbalance();
   write_lattice(output / stem, *result.solver);
   const Clock::time_point now = Clock::now();
   StageSummary stage;

@@ -27,6 +27,14 @@ void require_size(std::size_t size, int expected, const char* name, const char* 
                                 name + " but the lattice has " + std::to_string(expected) + " " +
                                 owners + ".");
 }
+
+void require_node(int node, int n_nodes)
+{
+  if (node < 0 || node >= n_nodes)
+    throw std::invalid_argument("Node " + std::to_string(node) +
+                                " is to be clamped or loaded, but the nodes are 0 to " +
+                                std::to_string(n_nodes - 1) + ".");
+}
 } // namespace
 
 ExplicitDynamics::ExplicitDynamics(const Lattice& lattice, const DynamicsOptions& options)
@@ -82,6 +90,7 @@ void ExplicitDynamics::size_lanes()
   for (Lane* lane : {&mass_, &inverse_mass_, &clamped_, &counts_}) clear(*lane);
   std::fill(orientation_[0].begin(), orientation_[0].end(), 1.);
   beams_.resize(size);
+  bent_.resize(size);
 }
 
 void ExplicitDynamics::fill_beam_constants()
@@ -89,6 +98,7 @@ void ExplicitDynamics::fill_beam_constants()
   for (int e = 0; e < lattice_.n_elements(); ++e) {
     const BeamConstants<double> beam = beam_constants(lattice_, e, options_.rbf);
     beams_.set(element_slot_[e], beam);
+    bent_.set(element_slot_[e], lattice_, e, nodes_, options_.spherical_inertia, options_.rbf);
     softens_ = softens_ || beam.softening > 0 || std::isfinite(beam.yield_stretch);
   }
 }
@@ -124,6 +134,7 @@ void ExplicitDynamics::clear_loads()
 void ExplicitDynamics::add_nodal_load(int node, const Eigen::Vector3d& force,
                                       const Eigen::Vector3d& moment)
 {
+  require_node(node, lattice_.n_nodes());
   for (int c = 0; c < 3; ++c) {
     load_force_[c][node_slot_[node]] += force[c];
     load_torque_[c][node_slot_[node]] += moment[c];
@@ -133,7 +144,10 @@ void ExplicitDynamics::add_nodal_load(int node, const Eigen::Vector3d& force,
 void ExplicitDynamics::clamp(const std::vector<int>& nodes)
 {
   std::vector<bool> is_clamped(lattice_.n_nodes(), false);
-  for (const int node : nodes) is_clamped.at(node) = true;
+  for (const int node : nodes) {
+    require_node(node, lattice_.n_nodes());
+    is_clamped[node] = true;
+  }
   for (int s = 0; s < n_slots_; ++s) clamped_[s] = is_clamped[slot_node_[s]] ? 1 : 0;
   all_clamped_ = std::find(is_clamped.begin(), is_clamped.end(), false) == is_clamped.end();
 }

@@ -4,6 +4,7 @@
 
 #include "fem/beam/section_forces.h"
 #include "fem/explicit/beam_lanes.h"
+#include "fem/explicit/bent_beams.h"
 #include "fem/explicit/stable_step.h"
 #include "fem/lattice/beam_constants.h"
 #include "fem/lattice/lattice.h"
@@ -178,10 +179,11 @@ public:
   // half a step back.
   void step(double h);
 
-  // Largest stable step without contacts [s], see stable_beam_step.
+  // Largest stable step without contacts [s] in the present shape, see BeamFrequency, BentBeams.
   double stable_step() const
   {
-    return frequency_.stable_step(largest_force_, largest_plastic_stretch_);
+    return frequency_.stable_step(largest_force_, largest_plastic_stretch_,
+                                  bent_.largest(beams_, position_, orientation_, n_padded_));
   }
 
   LatticeEnergies energies() const;
@@ -247,6 +249,7 @@ private:
   Lanes4 orientation_;
 
   BeamLanes beams_;
+  BentBeams bent_;
 
   // Mass, inertia (the spherical value, or the six entries xx yy zz xy xz yz of the tensor and of
   // its inverse), 1 for clamped slots, 1 for the slot that counts for its node in sums.

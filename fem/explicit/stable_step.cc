@@ -1,31 +1,17 @@
 #include "fem/explicit/stable_step.h"
 
+#include "fem/explicit/bent_beams.h"
 #include "fem/lattice/beam_constants.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace interlock::fem
 {
-namespace
-{
-// Rotary inertia about e1, e2, e3 that the weaker end of an element can count on [kg m2].
-Eigen::Vector3d end_inertia(const Lattice& lattice, int e, const std::vector<NodeInertia>& nodes,
-                            bool spherical)
-{
-  const BeamSection& section = lattice.section(e);
-  const LatticeElement& element = lattice.element(e);
-  if (!spherical)
-    return 0.5 * element.length *
-           Eigen::Vector3d(section.rotary_1, section.rotary_2, section.rotary_3);
-  double share = nodes[element.node[0]].tensor(0, 0) / nodes[element.node[0]].valence;
-  share = std::min(share, nodes[element.node[1]].tensor(0, 0) / nodes[element.node[1]].valence);
-  return Eigen::Vector3d::Constant(share);
-}
-} // namespace
-
 BeamFrequency beam_frequency(const Lattice& lattice, const std::vector<NodeInertia>& nodes,
                              bool spherical, bool rbf)
 {
@@ -35,6 +21,11 @@ BeamFrequency beam_frequency(const Lattice& lattice, const std::vector<NodeInert
     const BeamConstants<double> beam = beam_constants(lattice, e, rbf);
     const double h = beam.length, m = 0.5 * s.line_density * h;
     const Eigen::Vector3d j = end_inertia(lattice, e, nodes, spherical);
+    if (!(m > 0) || !(j.minCoeff() > 0))
+      throw std::invalid_argument(
+          "Rib line " + std::to_string(lattice.element(e).line) +
+          " has no mass or no rotary inertia, which explicit dynamics needs "
+          "(given_section completes a section).");
     // Shear along e2 goes with turning about e3, and the other way round.
     const double moving = 2 / (h * m);
     const double shearing[2] = {moving + h / (2 * j[2]), moving + h / (2 * j[1])};

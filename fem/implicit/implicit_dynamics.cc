@@ -202,7 +202,7 @@ ImplicitEnergies ImplicitDynamics::energies() const
     const Vector3d& spin = motion_.rotation[i].velocity;
     energies.kinetic += 0.5 * (nodes_[i].mass * motion_.translation[i].velocity.squaredNorm() +
                                spin.dot(nodes_[i].tensor * spin));
-    energies.gravitational -= nodes_[i].mass * options_.gravity.dot(state.position[i]);
+    energies.gravitational -= nodes_[i].mass * options_.gravity.dot(state.world_position(i));
   }
   for (int e = 0; e < state.lattice.n_elements(); ++e) {
     const BeamConstants<double> beam = beam_constants(state.lattice, e, options_.rbf);
@@ -227,7 +227,7 @@ Vector3d ImplicitDynamics::angular_momentum() const
   const StaticState& state = motion_.state;
   Vector3d sum = Vector3d::Zero();
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    sum += state.position[i].cross(nodes_[i].mass * motion_.translation[i].velocity) +
+    sum += state.world_position(i).cross(nodes_[i].mass * motion_.translation[i].velocity) +
            state.orientation[i] * (nodes_[i].tensor * motion_.rotation[i].velocity);
   return sum;
 }

@@ -79,7 +79,7 @@ public:
   double time() const { return time_; } // [s]
 
   // --- Motion ---
-  const Eigen::Vector3d& position(int node) const { return motion_.state.position[node]; } // [m]
+  Eigen::Vector3d position(int node) const { return motion_.state.world_position(node); } // [m]
   // Rotation from the unloaded state.
   const Eigen::Quaterniond& orientation(int node) const { return motion_.state.orientation[node]; }
   // Velocity [m/s] and spin [rad/s].

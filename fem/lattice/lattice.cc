@@ -89,6 +89,20 @@ Lattice::Lattice(std::vector<RibLine> lines, const JunctionStiffness& junctions)
   if (!is_rigid(junctions)) add_springs(junctions);
 }
 
+Lattice Lattice::about(const Eigen::Vector3d& origin) const
+{
+  Lattice moved = *this;
+  for (Eigen::Vector3d& position : moved.positions_) position -= origin;
+  return moved;
+}
+
+Eigen::AlignedBox3d Lattice::box() const
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : positions_) box.extend(position);
+  return box;
+}
+
 void Lattice::add_springs(const JunctionStiffness& junctions)
 {
   // Of each node: a normal of its ribs and the largest stiffness of an element against turning.

@@ -37,12 +37,18 @@ public:
   // Lines are joined wherever they share a vertex position, rigidly or by springs. Springs are at
   // most a million times as stiff as the ribs at the junction: that is what infinite stiffness in
   // one direction only becomes.
-  // Throws std::invalid_argument when there is no line, or one with fewer than two points, without
-  // length between two of them, with too few profiles, a normal along its direction, a negative
+  // Throws std::invalid_argument when there is no line, or one with fewer than two points, with a
+  // coordinate that is not finite, with an element shorter than a millionth of the lattice's size,
+  // with too few profiles, a normal along its direction, a negative
   // softening or a yield force that is not positive; when a stiffness of the junctions is negative;
   // or when lines whose normals differ by more than 45 degrees meet at a junction with rotational
   // stiffness.
   explicit Lattice(std::vector<RibLine> lines, const JunctionStiffness& junctions = {});
+  // The same lattice with `origin` [m] as its origin: positions of nodes are less by it. Rib lines
+  // and mesh stay where they were drawn.
+  Lattice about(const Eigen::Vector3d& origin) const;
+  // The smallest box with edges along the axes that holds all nodes [m].
+  Eigen::AlignedBox3d box() const;
 
   int n_nodes() const { return static_cast<int>(positions_.size()); }
   int n_elements() const { return static_cast<int>(elements_.size()); }

@@ -2,6 +2,8 @@
 
 #include "fem/ribs/number_text.h"
 
+#include <Eigen/Geometry>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -24,6 +26,10 @@ void check_line(const RibLine& line, std::size_t l)
   if (n < 2)
     throw std::invalid_argument(name + " has " + std::to_string(n) +
                                 " points but needs at least 2.");
+  for (const Eigen::Vector3d& point : line.points)
+    if (!point.allFinite())
+      throw std::invalid_argument(name + " has a vertex at " + point_text(point) +
+                                  " m, but coordinates must be finite.");
   for (std::size_t p = 1; p < n; ++p)
     if (!((line.points[p] - line.points[p - 1]).norm() > 0))
       throw std::invalid_argument(name + " has an element without length at " +
@@ -34,12 +40,32 @@ void check_line(const RibLine& line, std::size_t l)
                                 std::to_string(n - 1) + " elements.");
 }
 
+// Such a short element has no direction but rounding, and its stiffness drowns that of the others.
+void require_no_speck(const std::vector<RibLine>& lines)
+{
+  Eigen::AlignedBox3d box;
+  for (const RibLine& line : lines)
+    for (const Eigen::Vector3d& point : line.points) box.extend(point);
+  const double size = box.diagonal().norm();
+  for (std::size_t l = 0; l < lines.size(); ++l)
+    for (std::size_t p = 1; p < lines[l].points.size(); ++p) {
+      const double length = (lines[l].points[p] - lines[l].points[p - 1]).norm();
+      if (!(length > 1e-6 * size))
+        throw std::invalid_argument(
+            "Rib line " + std::to_string(l) + " has an element of " + number_text(length) +
+            " m at " + point_text(lines[l].points[p]) +
+            " m, but an element must be longer than a millionth of the lattice's size, " +
+            number_text(size) + " m: make its two vertices one.");
+    }
+}
+
 void fill(dealii::Triangulation<1, 3>& triangulation, const std::vector<RibLine>& lines)
 {
   std::vector<dealii::Point<3>> vertices;
   std::vector<dealii::CellData<1>> cells;
+  for (std::size_t l = 0; l < lines.size(); ++l) check_line(lines[l], l);
+  require_no_speck(lines);
   for (std::size_t l = 0; l < lines.size(); ++l) {
-    check_line(lines[l], l);
     for (std::size_t p = 0; p < lines[l].points.size(); ++p) {
       const Eigen::Vector3d& x = lines[l].points[p];
       vertices.emplace_back(x[0], x[1], x[2]);

@@ -25,8 +25,9 @@ namespace interlock::fem
 class LatticeMesh
 {
 public:
-  // Throws std::invalid_argument for a line with fewer than two points, one with two successive
-  // points at the same place, or one whose profiles are not one an element.
+  // Throws std::invalid_argument for a line with fewer than two points, a coordinate that is not
+  // finite, two successive points at the same place or closer than a millionth of the lattice's
+  // size, or one whose profiles are not one an element.
   LatticeMesh(const std::vector<RibLine>& lines, JunctionTies ties);
 
   const dealii::DoFHandler<1, 3>& dof_handler() const { return dof_handler_; }

@@ -1,5 +1,8 @@
 #include "fem/statics/arc_length.h"
 
+#include "fem/ribs/number_text.h"
+#include "fem/statics/resting_supports.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -12,17 +15,6 @@ namespace
 // A step ends when the last Newton correction is this share of its increment; since Newton's method
 // doubles the digits, the next one would be at rounding.
 constexpr double correction_tolerance = 1e-8;
-
-std::vector<StaticState::Support> supports_as_they_are(const StaticState& state)
-{
-  std::vector<StaticState::Support> supports = state.supports;
-  for (StaticState::Support& support : supports)
-    support.value = support.component < 3
-                        ? (state.position[support.node] -
-                           state.lattice.reference_position(support.node))[support.component]
-                        : 0;
-  return supports;
-}
 } // namespace
 
 ArcLength::ArcLength(StaticState& state, const StaticOptions& options,
@@ -31,14 +23,23 @@ ArcLength::ArcLength(StaticState& state, const StaticOptions& options,
       base_loads_(state.reached_loads), loads_(state.loads), sum_(system_.new_vector()),
       load_vector_(system_.new_vector()), solution_(system_.new_vector())
 {
+  const double first = arc_length.first_load;
+  if (first == 0 || !std::isfinite(first))
+    throw std::invalid_argument("The first load factor of an equilibrium path is " +
+                                number_text(first) + " but must be finite and not zero.");
   for (std::size_t i = 0; i < loads_.size(); ++i) loads_[i] -= base_loads_[i];
-  system_.set_supports(supports_as_they_are(state));
+  system_.set_supports(resting_supports(state));
   system_.add_loads(loads_, 1, load_vector_);
   load_vector_.compress(dealii::VectorOperation::add);
   if (load_vector_.l2_norm() == 0)
     throw std::runtime_error(
         "The arc-length method needs a load on a free node, added since the last solution.");
 
+  make_solver();
+}
+
+void ArcLength::make_solver()
+{
   KSP ksp = nullptr;
   check(KSPCreate(system_.communicator(), &ksp));
   ksp_.reset(ksp);
@@ -67,7 +68,13 @@ double ArcLength::length(const Vector& a) const
 
 ArcLength::Vector ArcLength::solve(const dealii::PETScWrappers::MPI::Vector& right_side)
 {
-  check(KSPSolve(ksp_.get(), right_side, solution_));
+  const QuietPetsc quiet;
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  const PetscErrorCode error = KSPSolve(ksp_.get(), right_side, solution_);
+  check(KSPGetConvergedReason(ksp_.get(), &reason));
+  if (error == 0 && reason > 0) return system_.gathered(solution_);
+  make_solver(); // PETSc would leave out the next factorisation
+  solution_ = std::numeric_limits<double>::infinity();
   return system_.gathered(solution_);
 }
 
@@ -224,6 +231,11 @@ std::vector<PathPoint> ArcLength::trace()
   }
   for (std::size_t i = 0; i < loads_.size(); ++i)
     state_.reached_loads[i] = base_loads_[i] + path.back().load_factor * loads_[i];
+  if (arc_length_.is_last && !done)
+    throw std::runtime_error("The equilibrium path has come to load factor " +
+                             number_text(path.back().load_factor) + " with " +
+                             std::to_string(path.size()) +
+                             " points, as many as max_points allows, before its end.");
   return path;
 }
 } // namespace interlock::fem

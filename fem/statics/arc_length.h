@@ -23,11 +23,13 @@ class ArcLength
 {
 public:
   // The state must outlive this object; it moves along the path.
+  // Throws std::invalid_argument when the first load is zero or not finite.
   ArcLength(StaticState& state, const StaticOptions& options, const ArcLengthOptions& arc_length);
 
   // The path from the present state on, which is its first point, with the load factor 0. Points
   // where the load factor has an extremum are found and inserted. Throws std::runtime_error when no
-  // shorter arc leads on.
+  // shorter arc leads on, or when `max_points` are reached before `is_last` has ended the path; the
+  // state is that of the last point.
   std::vector<PathPoint> trace();
 
 private:
@@ -55,6 +57,8 @@ private:
   std::optional<Place> find_limit(const Place& from, const Place& to, double arc);
   std::optional<double> load_change(const Vector& increment, const Vector& correction,
                                     const Vector& response, double arc) const;
+  void make_solver();
+  // Infinite where the tangent cannot be factorised.
   Vector solve(const dealii::PETScWrappers::MPI::Vector& right_side);
   Vector response();
   double product(const Vector& a, const Vector& b) const; // of displacements, mean over the nodes

@@ -23,8 +23,8 @@ struct ArcLengthOptions {
   double largest_arc = std::numeric_limits<double>::infinity(); // [m]
   int wanted_iterations = 4; // Newton iterations of a step; arcs grow and shrink towards it
   int max_iterations = 12;   // a step that needs more is halved
-  int max_points = 1000;
-  std::vector<int> watched;                      // nodes
+  int max_points = 1000;     // with `is_last` a limit, otherwise the length of the path
+  std::vector<int> watched;  // nodes
   std::function<bool(const PathPoint&)> is_last; // ends the path; may stay empty
 };
 } // namespace interlock::fem

@@ -21,9 +21,12 @@ int negative_pivots(Mat symmetric)
   check(PCFactorSetUpMatSolverType(pc));
   check(PCFactorGetMatrix(pc, &factor));
   check(MatMumpsSetIcntl(factor, 13, 1)); // pivots of the root counted too, on several processes
-  check(KSPSetUp(ksp));
+  PCFailedReason failed = PC_NOERROR;
   PetscInt negative = 0;
-  check(MatGetInertia(factor, &negative, nullptr, nullptr));
+  const QuietPetsc quiet;
+  if (KSPSetUp(ksp) != 0) return -1;
+  check(PCGetFailedReason(pc, &failed));
+  if (failed != PC_NOERROR || MatGetInertia(factor, &negative, nullptr, nullptr) != 0) return -1;
   return static_cast<int>(negative);
 }
 

@@ -15,9 +15,15 @@ struct StaticOptions {
                                  // when rounding is all that is left
   double reuse = 0; // a factorised tangent is kept while each Newton step is shorter than this
                     // share of the one before (some 0.1); 0: a new one in every iteration
+  double longest_turn = 1; // a load step that turns a node by more [rad] may have jumped to another
+                           // branch: it is halved, up to six times
   bool stable_branch = false; // look at the stability of each load step's equilibrium, and halve a
-                              // step that leads to an unstable one or turns a node by more than 0.5
-                              // rad: StaticSolver::unstable_directions
+                              // step that leads to an unstable one, up to six times:
+                              // StaticSolver::unstable_directions
+  double largest_imbalance = 0.01; // share of the forces; with more left between reactions and
+                                   // loads a solution is refused. Stiff ribs under loads that only
+                                   // bend them slightly have good deflections, but axial reactions
+                                   // that are no better than rounding
   MPI_Comm communicator = MPI_COMM_WORLD; // processes that share the work
 };
 } // namespace interlock::fem

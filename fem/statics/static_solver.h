@@ -15,6 +15,14 @@
 
 namespace interlock::fem
 {
+class LatticeSystem;
+
+// Whether a lattice at rest comes back when it is nudged. Not known: the tangent is singular;
+// moments act that keep their direction, and its symmetric part has negative pivots; or a load step
+// as short as a 64th still turned a node by more than StaticOptions::longest_turn, so that another
+// branch may have been reached.
+enum class Stability { stable, unstable, not_known };
+
 // Loads and supports are set first, then `solve` or `trace_path` brings them on in steps. Rotations
 // are unit quaternions; the unknowns of a load step are displacements and the rotation vectors on
 // top of the orientations of the last step, so that total rotations may be of any size. World frame
@@ -25,11 +33,13 @@ namespace interlock::fem
 class StaticSolver
 {
 public:
-  // Throws std::invalid_argument when the order is neither 1 nor 2, or when the lattice cannot be
-  // read as quadratic elements, see quadratic_pairs.
+  // Throws std::invalid_argument when the order is neither 1 nor 2, when a number of steps or
+  // iterations or the tolerance is not positive, or when the lattice cannot be read as quadratic
+  // elements, see quadratic_pairs.
   StaticSolver(const Lattice& lattice, const StaticOptions& options);
 
-  // Fixes all six freedoms, or the three displacements, of these nodes.
+  // These throw std::invalid_argument for a node or a freedom that there is not, and for values
+  // that are not finite. Fixes all six freedoms, or the three displacements, of these nodes.
   void clamp(const std::vector<int>& nodes);
   void pin(const std::vector<int>& nodes);
   // Prescribes freedom 0-5 of a node: displacement x, y, z from the unloaded state [m] or turn
@@ -41,16 +51,25 @@ public:
   void add_load(int node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
 
   // Ramps loads and prescribed motion up, in equal steps, from what the last call reached (from
-  // nothing in the first) to what is set now. A step that does not converge is halved.
+  // nothing in the first) to what is set now. A step that does not converge is halved, up to ten
+  // times, and so is one that turns an element's ends against each other by more than the kernel is
+  // good for; one that turns a node by more than StaticOptions::longest_turn, up to six times.
   // Returns the number of Newton iterations. Throws std::runtime_error when PETSc is not running,
-  // when the lattice is not held, or when a load step does not converge; the message names the step
-  // and PETSc's reason, and the state is that of the last load step that did.
+  // when the lattice is not held, when a load step does not converge or an element stays folded
+  // (the state is that of the last load step that was right), or when reactions and loads leave
+  // more than StaticOptions::largest_imbalance unbalanced, as they do where rounding of the axial
+  // stiffness is larger.
   int solve();
   // Follows the equilibrium path by arc length through limit points and snap-back, see ArcLength:
   // the loads are those that the state is at rest under plus the load factor times what has been
   // added since; supports stay where they are. Throws as `solve`, and when the path cannot be
   // followed further; the state is that of the last point.
   std::vector<PathPoint> trace_path(const ArcLengthOptions& arc_length);
+  // What was left of the sum of loads and reactions, and of their moments about the middle over the
+  // lattice's size, after the last `solve`; share of the largest sum of their amounts so far [-].
+  double imbalance() const { return imbalance_; }
+  // Of the present equilibrium; factorises its tangent unless `stable_branch` has done so.
+  Stability stability();
   // Directions in which the equilibrium of the last load step is unstable, such as that of a rib
   // above its buckling load that stays straight; and the largest number on the way. Counted with
   // the option `stable_branch` only. Where a step as short as a 64th still leads to an unstable
@@ -59,8 +78,8 @@ public:
   int unstable_on_the_way() const { return unstable_on_the_way_; }
   int factorisations() const { return factorisations_; } // made by all calls of `solve`
 
-  const Lattice& lattice() const { return state_.lattice; }
-  const Eigen::Vector3d& position(int node) const { return state_.position[node]; } // [m]
+  const Lattice& lattice() const { return lattice_; }
+  Eigen::Vector3d position(int node) const { return state_.world_position(node); } // [m]
   Eigen::Vector3d displacement(int node) const
   {
     return state_.position[node] - state_.lattice.reference_position(node);
@@ -77,9 +96,17 @@ public:
   NodeLoad reaction(int node) const;
 
 private:
+  enum class Judgement { right, astray };
+  // Of the step from `before` to the present state.
+  Judgement judge(const StaticState& before, LatticeSystem& system, int stride);
+  void require_balance();
+
+  Lattice lattice_; // as it was given; that of the state is about the state's origin
   StaticState state_;
   StaticOptions options_;
   int factorisations_ = 0;
   int unstable_ = 0, unstable_on_the_way_ = 0;
+  bool has_moved_ = false, jumped_ = false;
+  double imbalance_ = 0, largest_forces_ = 0; // share [-], sum of amounts [N]
 };
 } // namespace interlock::fem

@@ -14,8 +14,20 @@
 
 namespace interlock::fem
 {
+namespace
+{
+// Up to ten sizes away the lost digit does not count.
+Eigen::Vector3d origin_of(const Lattice& lattice)
+{
+  const Eigen::AlignedBox3d box = lattice.box();
+  const Eigen::Vector3d middle = box.center();
+  return middle.norm() > 10 * box.diagonal().norm() ? middle : Eigen::Vector3d::Zero();
+}
+} // namespace
+
 StaticState::StaticState(const Lattice& unloaded)
-    : lattice(unloaded), loads(unloaded.n_nodes(), NodeLoad::Zero()), reached_loads(loads),
+    : origin(origin_of(unloaded)), lattice(unloaded.about(origin)),
+      loads(unloaded.n_nodes(), NodeLoad::Zero()), reached_loads(loads),
       orientation(unloaded.n_nodes(), Eigen::Quaterniond::Identity()),
       plastic_stretch(unloaded.n_elements(), 0.)
 {

@@ -28,6 +28,7 @@ struct StaticState {
   };
   // Unloaded, without supports.
   explicit StaticState(const Lattice& unloaded);
+  Eigen::Vector3d world_position(int node) const { return origin + position[node]; } // [m]
   // Of both nodes of an element.
   std::array<Eigen::Vector3d, 2> end_positions(int e) const;
   std::array<Eigen::Quaterniond, 2> end_orientations(int e) const;
@@ -37,11 +38,14 @@ struct StaticState {
   // Makes the plastic stretch of the present state part of the history. `rbf`: see StaticOptions.
   void commit_plastic_stretch(bool rbf);
 
-  Lattice lattice;
+  // Where a lattice lies far from zero, as on a map, its nodes are counted from the middle of its
+  // box: near zero there are digits for displacements. Otherwise the origin is zero.
+  Eigen::Vector3d origin; // [m]
+  Lattice lattice;        // about the origin
   std::vector<Support> supports;
   std::vector<NodeLoad> loads;                 // on each node
   std::vector<NodeLoad> reached_loads;         // under which the present state is at rest
-  std::vector<Eigen::Vector3d> position;       // [m]
+  std::vector<Eigen::Vector3d> position;       // from the origin [m]
   std::vector<Eigen::Quaterniond> orientation; // rotation from the unloaded state
   std::vector<double> plastic_stretch;         // of each element, see tension_law.h [-]
   std::vector<QuadraticPair> pairs; // quadratic elements; empty: the lattice's own elements

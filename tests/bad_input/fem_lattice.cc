@@ -222,6 +222,12 @@ TEST(LatticeChecks, LinesWithoutLengthOrSectionAreRefused)
   RibLine bare = line({0, 0, 0}, {1, 0, 0});
   bare.section = {};
   expect_refused([&] { check_sections(Lattice({bare})); }, {"line 0", "E A"});
+  RibLine nowhere = line({0, 0, 0}, {1, 0, 0}, 2);
+  nowhere.points[1].y() = std::nan("");
+  expect_refused([&] { Lattice({nowhere}); }, {"line 0", "(0.5, nan, 0)", "finite"});
+  RibLine speck = line({0, 0, 0}, {1, 0, 0}, 2);
+  speck.points.insert(speck.points.begin() + 1, Vector3d(1e-12, 0, 0));
+  expect_refused([&] { Lattice({speck}); }, {"line 0", "1e-12 m", "millionth", "(1e-12, 0, 0)"});
   RibLine few = line({0, 0, 0}, {1, 0, 0}, 3);
   few.profiles.resize(2);
   expect_refused([&] { Lattice({few}); }, {"line 0", "2 profiles", "3 elements"});

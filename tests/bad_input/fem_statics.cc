@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -77,6 +80,68 @@ TEST(BadStatics, NoArcWithoutALoad)
   StaticSolver solver(rod(), {});
   solver.clamp({0});
   EXPECT_THROW(solver.trace_path({}), std::runtime_error);
+}
+
+template <class Fault, class Action>
+void expect_says(const Action& action, const std::vector<std::string>& facts)
+{
+  try {
+    action();
+    ADD_FAILURE() << "accepted, although " << facts.front();
+  } catch (const Fault& error) {
+    const std::string text = error.what();
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    EXPECT_EQ(text.back(), '.') << text;
+    for (const std::string& fact : facts) EXPECT_NE(text.find(fact), std::string::npos) << text;
+  }
+}
+
+TEST(BadStatics, NodesFreedomsAndValues)
+{
+  using Fault = std::invalid_argument;
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  StaticSolver solver(rod(), {});
+  expect_says<Fault>([&] { solver.prescribe(2, 7, 1); }, {"Freedom 7", "node 2", "0 to 5"});
+  expect_says<Fault>([&] { solver.prescribe(2, -1, 1); }, {"Freedom -1", "node 2"});
+  expect_says<Fault>([&] { solver.prescribe(2, 0, nan); }, {"Freedom 0", "nan", "finite"});
+  expect_says<Fault>([&] { solver.clamp({0, 5}); }, {"node 5", "0 to 4"});
+  expect_says<Fault>([&] { solver.pin({-1}); }, {"node -1", "0 to 4"});
+  expect_says<Fault>([&] { solver.add_load(9, {0, 0, 1}, {0, 0, 0}); }, {"node 9", "0 to 4"});
+  expect_says<Fault>([&] { solver.add_load(4, {0, inf, 1}, {0, 0, 0}); }, {"(0, inf, 1)"});
+  expect_says<Fault>([&] { solver.add_load(4, {0, 0, 1}, {nan, 0, 0}); }, {"(nan, 0, 0)"});
+}
+
+TEST(BadStatics, Options)
+{
+  StaticOptions options;
+  options.load_steps = 0;
+  expect_says<std::invalid_argument>([&] { StaticSolver(rod(), options); },
+                                     {"load steps", " 0 ", "at least 1"});
+  options.load_steps = 1;
+  options.max_iterations = 0;
+  expect_says<std::invalid_argument>([&] { StaticSolver(rod(), options); }, {"iterations", " 0 "});
+}
+
+TEST(BadStatics, PathsWithoutAStartOrAnEnd)
+{
+  StaticSolver solver(rod(), {});
+  solver.clamp({0});
+  solver.add_load(4, {0, 0, 1}, {0, 0, 0});
+  ArcLengthOptions path;
+  path.first_load = 0;
+  expect_says<std::invalid_argument>([&] { solver.trace_path(path); }, {"first load", " 0 "});
+  path.first_load = 0.1;
+  path.max_points = 5;
+  path.is_last = [](const PathPoint&) { return false; };
+  expect_says<std::runtime_error>([&] { solver.trace_path(path); }, {"5 points", "max_points"});
+}
+
+TEST(BadStatics, LoadsTooLarge)
+{
+  StaticSolver solver(rod(), {});
+  solver.clamp({0});
+  solver.add_load(4, {0, 0, 1e300}, {0, 0, 0});
+  expect_says<std::runtime_error>([&] { solver.solve(); }, {"loads are too large", "1e+300"});
 }
 } // namespace
 

@@ -26,6 +26,7 @@ StaticSolver pressed(int load_steps, double share_of_euler, double side_load)
   StaticOptions options;
   options.load_steps = load_steps;
   options.stable_branch = true;
+  options.longest_turn = 0.5;
   StaticSolver solver(lattice, options);
   solver.clamp({0});
   solver.add_load(20, {-share_of_euler * euler, 0, side_load}, {0, 0, 0});
