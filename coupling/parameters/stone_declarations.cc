@@ -59,9 +59,10 @@ void check_stones(const StoneParameters& stones, ParameterProblems& problems)
   const bool scans = !error && std::any_of(begin(files), end(files), is_scan);
   const bool clumps = !error && !dem::clump_files(stones.folder).empty();
   if (!error && !scans && !clumps)
-    problems.add("Stones/Folder", "The folder of scans \"", stones.folder,
-                 "\" holds no file that ends with .stl, .ply, .obj or .clump.json (names that start "
-                 "with a dot do not count).");
+    problems.add(
+        "Stones/Folder", "The folder of scans \"", stones.folder,
+        "\" holds no file that ends with .stl, .ply, .obj or .clump.json (names that start "
+        "with a dot do not count).");
   if (scans && clumps)
     problems.add("Stones/Folder", "The folder \"", stones.folder,
                  "\" holds scans and clumps; move one of them elsewhere.");

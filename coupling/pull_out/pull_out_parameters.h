@@ -5,6 +5,7 @@
 #include "coupling/parameters/box_parameters.h"
 #include "coupling/parameters/filling_parameters.h"
 #include "coupling/parameters/geogrid_parameters.h"
+#include "coupling/parameters/stone_contact.h"
 #include "coupling/parameters/stone_parameters.h"
 #include "coupling/parameters/time_step.h"
 
@@ -12,22 +13,12 @@
 
 namespace interlock::coupling
 {
-// Springs in series at a contact, k = k1 k2/(k1 + k2); friction of a pair is the smaller of the
-// two.
-struct ContactParameters {
-  double stone_stiffness = 0;   // [N/m]
-  double box_stiffness = 0;     // [N/m]
-  double geogrid_stiffness = 0; // [N/m]
-  double stone_friction = 0;    // [-]
-  double box_friction = 0;      // [-]
-  double geogrid_friction = 0;  // [-]
-  // Of a pair, instead of the smaller of its two; -1: not given [-].
-  double stone_on_box_friction = -1;
-  double stone_on_geogrid_friction = -1;
-  double tangential_ratio = 0;       // k_t / k_n [-]
-  double damping_ratio = 0;          // normal and tangential dashpot, share of critical [-]
-  bool share_among_contacts = false; // ContactProperties, between stones and at walls
-  double geogrid_damping_ratio = 0;  // the same at stone-rib contacts, on the reduced mass [-]
+// Contacts of stones with ribs; what a stone has of its own is in StoneContactParameters.
+struct GeogridContactParameters {
+  double stiffness = 0;       // of a rib's surface; 0: that of its material [N/m]
+  double friction = 0;        // of the ribs [-]
+  double stone_friction = -1; // of the pair, instead of the smaller one; -1: not given [-]
+  double damping_ratio = 0;   // of the dashpots, on the reduced mass [-]
 };
 
 struct SurchargeParameters {
@@ -59,7 +50,8 @@ struct PullOutParameters {
   double gravity = 9.81;  // along -z [m/s2]
   StoneParameters stones;
   BoxParameters box;
-  ContactParameters contact;
+  StoneContactParameters contact;
+  GeogridContactParameters geogrid_contact;
   GeogridParameters geogrid;
   FillingParameters filling;
   SurchargeParameters surcharge;
