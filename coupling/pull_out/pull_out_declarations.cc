@@ -3,13 +3,10 @@
 #include "coupling/parameters/filling_declarations.h"
 #include "coupling/parameters/stone_declarations.h"
 
-#include <limits>
-
 namespace interlock::coupling
 {
 namespace
 {
-const Range at_least_one{1, std::numeric_limits<double>::infinity(), true};
 
 void declare_box(ParameterTable& table, BoxParameters& box)
 {
@@ -99,27 +96,6 @@ void declare_loading(ParameterTable& table, PullOutParameters& parameters)
   table.require("Ramp time", parameters.pull.ramp_time, not_negative,
                 "Time from rest to full speed. [s]");
 }
-
-void declare_numerics(ParameterTable& table, PullOutParameters& parameters)
-{
-  declare_time(table, parameters.time);
-
-  table.open_section("Limits");
-  table.offer("Overlap", parameters.limits.overlap, 1, positive,
-              "Overlap of any contact over the mean radius of a member sphere above which the run "
-              "ends: a stone is wedged. [-]");
-
-  table.open_section("Output");
-  table.offer("Records", parameters.output.records, 500, at_least_one,
-              "Rows of history.csv during the pull. [-]");
-  table.offer("Field frames", parameters.output.field_frames, 50, not_negative,
-              "Frames for ParaView during the pull. [-]");
-  table.offer("Report", parameters.output.report, true, "Draw the figures at the end of the run.");
-  table.offer(
-      "Checkpoint interval", parameters.output.checkpoint_interval, 60, not_negative,
-      "Wall-clock time between two checkpoints, beside those at the ends of stages; 0: only "
-      "those. [s]");
-}
 } // namespace
 
 void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
@@ -138,6 +114,7 @@ void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
   table.require("Plate force limit", parameters.filling.plate_force_limit, positive,
                 "The flattening plate stops pressing at this force. [N]");
   declare_loading(table, parameters);
-  declare_numerics(table, parameters);
+  declare_time(table, parameters.time);
+  declare_limits_and_output(table, parameters.limits, parameters.output);
 }
 } // namespace interlock::coupling

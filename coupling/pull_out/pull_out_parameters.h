@@ -5,6 +5,7 @@
 #include "coupling/parameters/box_parameters.h"
 #include "coupling/parameters/filling_parameters.h"
 #include "coupling/parameters/geogrid_parameters.h"
+#include "coupling/parameters/output_parameters.h"
 #include "coupling/parameters/stone_contact.h"
 #include "coupling/parameters/stone_parameters.h"
 #include "coupling/parameters/time_step.h"
@@ -31,18 +32,6 @@ struct PullParameters {
   double speed = 0;     // of the front edge [m/s]
   double distance = 0;  // [m]
   double ramp_time = 0; // from rest to full speed [s]
-};
-
-// Where a run ends because it is no simulation of ballast any more.
-struct LimitParameters {
-  double overlap = 1; // of any contact over the mean radius of a member sphere [-]
-};
-
-struct OutputParameters {
-  int records = 0;                 // rows of history.csv during the pull [-]
-  int field_frames = 0;            // frames for ParaView during the pull [-]
-  bool report = true;              // draw the figures at the end
-  double checkpoint_interval = 60; // of wall-clock time; 0: at the ends of stages only [s]
 };
 
 struct PullOutParameters {

@@ -33,6 +33,23 @@ StoneBatch add_shapes(const std::vector<Stone>& stones, dem::Clumps& clumps)
   return batch;
 }
 
+double mean_spheres(const dem::Clumps& clumps)
+{
+  std::size_t spheres = 0;
+  for (const dem::ClumpShape& shape : clumps.shapes()) spheres += shape.spheres.size();
+  return static_cast<double>(spheres) / static_cast<double>(clumps.shapes().size());
+}
+
+std::int64_t expected_stones(const dem::Clumps& clumps, double volume)
+{
+  // Share of a box that stones fill in the end; of the quick pull-out [-].
+  constexpr double solid_share = 0.55;
+  double mean_volume = 0;
+  for (const dem::ClumpShape& shape : clumps.shapes()) mean_volume += shape.volume;
+  mean_volume /= static_cast<double>(clumps.shapes().size());
+  return std::llround(solid_share * volume / mean_volume);
+}
+
 void check_stones_fit(const std::vector<Stone>& stones, const BoxParameters& box)
 {
   const double room = std::min(box.length, box.width) - 2 * pouring_clearance;

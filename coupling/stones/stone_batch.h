@@ -5,6 +5,7 @@
 #include "coupling/stones/stone_shapes.h"
 #include "dem/bodies/clumps.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct StoneBatch {
 
 // Adds their shapes behind those that are there.
 StoneBatch add_shapes(const std::vector<Stone>& stones, dem::Clumps& clumps);
+
+// Of the shapes of an engine.
+double mean_spheres(const dem::Clumps& clumps);
+// How many stones of these shapes fill a volume [m3], for forecasts.
+std::int64_t expected_stones(const dem::Clumps& clumps, double volume);
 
 // Stones are poured in any attitude, their bounding balls clear of the walls. Throws InputError
 // when one is too large for that.
