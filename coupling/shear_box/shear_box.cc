@@ -45,14 +45,15 @@ ShearBox::ShearBox(const ShearBoxParameters& parameters)
 void ShearBox::prepare(const Monitor& monitor, const std::vector<CaseEntry>&)
 {
   const auto begin = std::chrono::steady_clock::now();
-  set_up(make_stones(parameters_.stones, monitor));
+  const std::vector<Stone> stones = make_stones(parameters_.stones, monitor);
+  check_stones_fit(stones, parameters_.box);
+  set_up(stones);
   preparation_time_ =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void ShearBox::set_up(const std::vector<Stone>& stones)
 {
-  check_stones_fit(stones, parameters_.box);
   check_gap(stones, parameters_.gap);
   const StoneBatch batch = add_shapes(stones, world_.engine.clumps());
   n_shapes = batch.shapes;

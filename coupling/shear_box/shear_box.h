@@ -32,7 +32,7 @@ public:
   // Makes the stones and the empty box. Throws InputError, one full sentence, when a stone or the
   // time step cannot be used.
   void prepare(const Monitor& monitor, const std::vector<CaseEntry>& entries);
-  // The same with stones that are there.
+  // The same with these stones, which need not fit into the box in any attitude.
   void set_up(const std::vector<Stone>& stones);
 
   std::vector<Stage> plan() const;

@@ -21,6 +21,18 @@ double degrees(double tangent)
   return 180 / M_PI * std::atan(tangent);
 }
 
+// Shear force over plate and weight: all that a laboratory knows of the normal force. The rims of
+// the upper half hold stones down besides [-].
+double peak_of_applied_load(const ShearStage& shear, double filter)
+{
+  const std::vector<double> t = centred_mean(shear.displacements, shear.shear_forces, filter),
+                            p = centred_mean(shear.displacements, shear.plate_forces, filter);
+  double peak = 0;
+  for (std::size_t k = 0; k < t.size(); ++k)
+    peak = std::max(peak, t[k] / (p[k] + shear.weight_above));
+  return peak;
+}
+
 void describe_strength(const ShearStage& shear, const ShearBox& box,
                        nlohmann::ordered_json& results)
 {
@@ -38,6 +50,7 @@ void describe_strength(const ShearStage& shear, const ShearBox& box,
   results["residual_friction_angle_deg"] = degrees(residual);
   results["peak_friction_ratio"] = t[peak] / n[peak];
   results["residual_friction_ratio"] = residual;
+  results["peak_friction_angle_of_applied_load_deg"] = degrees(peak_of_applied_load(shear, filter));
   results["displacement_at_peak_m"] = u[peak];
   results["peak_shear_stress_Pa"] = t[peak] / box.area();
   results["dilation_angle_at_peak_deg"] =
@@ -58,6 +71,8 @@ void describe_forces(const ShearStage& shear, const ShearBox& box, nlohmann::ord
   const double way = 1; // all of it
   const double normal = mean_over_end(shear.displacements, shear.normal_forces, way);
   results["mean_normal_stress_Pa"] = normal / box.area();
+  results["mean_friction_ratio"] =
+      mean_over_end(shear.displacements, shear.shear_forces, way) / normal;
   results["mean_plate_force_N"] = mean_over_end(shear.displacements, shear.plate_forces, way);
   results["shear_distance_m"] = shear.displacements.back();
   // Rate of shear over the whole height against the time that a stone needs to fall into a pore:
@@ -90,6 +105,7 @@ void describe_specimen(const ShearBox& box, RunRecords& records)
   const double mass = world.engine.mass();
   results["normal_stress_Pa"] = box.parameters().normal_stress;
   results["stones"] = stones(clumps);
+  results["mean_stone_size_m"] = box.mean_size;
   results["spheres_per_stone"] = double(clumps.n_spheres()) / std::max(1, clumps.size());
   results["mass_kg"] = mass;
   results["weight_above_plane_N"] = box.weight_above_plane();
