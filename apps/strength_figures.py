@@ -95,7 +95,7 @@ def strength_figure(run, path):
     axes.plot(stress, results["peak_friction_angle_deg"], "o", color=figures.COLOURS[0], label="this run, peak")
     axes.plot(stress, results["residual_friction_angle_deg"], "o", color=figures.COLOURS[0], mfc="none",
               label="this run, last fifth of the way")
-    axes.legend(fontsize=8, edgecolor="none", loc="upper right")
+    axes.legend(fontsize=8, edgecolor="none", loc="lower right")
     figures.save(figure, path)
 
 

@@ -102,7 +102,7 @@ def draw(series, path):
                           mfc=colour if text == "peak" else "none", linewidth=1, capsize=3,
                           linestyle="-" if text == "peak" else ":",
                           label=f"{spheres} spheres, friction {friction:g}, {filling}: {text}")
-    axes.legend(fontsize=7, edgecolor="none", loc="upper right")
+    axes.legend(fontsize=7, edgecolor="none", loc="lower right")
     figures.save(figure, path)
 
 
