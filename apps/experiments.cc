@@ -13,6 +13,9 @@
 #include "coupling/pull_out/pull_out_declarations.h"
 #include "coupling/pull_out/pull_out_forecast.h"
 #include "coupling/run/run.h"
+#include "coupling/shear_box/shear_box.h"
+#include "coupling/shear_box/shear_box_declarations.h"
+#include "coupling/shear_box/shear_box_forecast.h"
 #include "dem/input_error.h"
 
 #include <algorithm>
@@ -50,6 +53,12 @@ ReadyExperiment pull_out(const coupling::PullOutParameters& p, const coupling::R
 ReadyExperiment heap(const coupling::HeapParameters& p, const coupling::RunRequest& request)
 {
   return staged<coupling::Heap>(p, p.output.checkpoint_interval, request);
+}
+
+ReadyExperiment shear_box(const coupling::ShearBoxParameters& p,
+                          const coupling::RunRequest& request)
+{
+  return staged<coupling::ShearBox>(p, p.output.checkpoint_interval, request);
 }
 
 // Nothing but the end of a stage interrupts what is timed.
@@ -146,6 +155,10 @@ const std::vector<Experiment>& experiments()
           "laboratory", laboratory_template(), coupling::declare_laboratory,
           coupling::check_laboratory, laboratory, laboratory_forecast,
           [](const coupling::LaboratoryParameters& p) { return p.report; }),
+      row<coupling::ShearBoxParameters>(
+          "shear box", shear_box_template(), coupling::declare_shear_box, coupling::check_shear_box,
+          shear_box, forecast_of<coupling::ShearBox>,
+          [](const coupling::ShearBoxParameters& p) { return p.output.report; }),
   };
   return table;
 }

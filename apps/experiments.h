@@ -12,6 +12,7 @@
 #include "coupling/pull_out/pull_out_parameters.h"
 #include "coupling/run/forecast.h"
 #include "coupling/run/run_request.h"
+#include "coupling/shear_box/shear_box_parameters.h"
 
 #include <filesystem>
 #include <functional>
@@ -23,7 +24,7 @@ namespace interlock::apps
 {
 using ExperimentParameters =
     std::variant<coupling::PullOutParameters, coupling::HeapParameters, coupling::PackingParameters,
-                 coupling::LaboratoryParameters>;
+                 coupling::LaboratoryParameters, coupling::ShearBoxParameters>;
 
 // An experiment that has accepted its parameters. Writes its files into the folder of the request,
 // which must exist.

@@ -26,6 +26,7 @@ std::string script_for(const fs::path& folder)
     const std::string experiment = present_name(assignment.value);
     if (experiment == "heap") return "heap_figures.py";
     if (experiment == "laboratory") return "laboratory_figures.py";
+    if (experiment == "shear box") return "strength_figures.py";
   }
   return pull_out;
 }

@@ -12,14 +12,14 @@ namespace
 {
 // Endings of keys and their units; the longest that fits counts.
 const std::vector<std::pair<std::string, std::string>> units = {
-    {"N", "N"},         {"kN", "kN"},           {"m", "m"},
-    {"mm", "mm"},       {"kg", "kg"},           {"s", "s"},
-    {"J", "J"},         {"Hz", "Hz"},           {"Pa", "Pa"},
-    {"deg", "deg"},     {"kg_per_m3", "kg/m3"}, {"kg_per_m2", "kg/m2"},
-    {"m_per_s", "m/s"}, {"N_per_m", "N/m"},     {"kN_per_m", "kN/m"},
-    {"N_m", "N m"},     {"mg_cm", "mg cm"},     {"N_m_per_deg", "N m/deg"},
-    {"W", "W"},         {"us", "us"},           {"m3", "m3"},
-    {"percent", "%"}};
+    {"N", "N"},           {"kN", "kN"},           {"m", "m"},
+    {"mm", "mm"},         {"kg", "kg"},           {"s", "s"},
+    {"J", "J"},           {"Hz", "Hz"},           {"Pa", "Pa"},
+    {"deg", "deg"},       {"kg_per_m3", "kg/m3"}, {"kg_per_m2", "kg/m2"},
+    {"m_per_s", "m/s"},   {"N_per_m", "N/m"},     {"kN_per_m", "kN/m"},
+    {"N_m", "N m"},       {"mg_cm", "mg cm"},     {"N_m_per_deg", "N m/deg"},
+    {"W", "W"},           {"us", "us"},           {"m3", "m3"},
+    {"Pa_per_m", "Pa/m"}, {"percent", "%"}};
 
 std::pair<std::string, std::string> name_and_unit(const std::string& key)
 {

@@ -13,6 +13,7 @@ const std::vector<OtherUnit> lengths = {{"mm", 1e-3}, {"cm", 1e-2}, {"um", 1e-6}
 const std::vector<OtherUnit> densities = {{"g/cm3", 1e3}};
 const std::vector<OtherUnit> moduli = {{"GPa", 1e9}, {"MPa", 1e6}, {"kPa", 1e3}};
 const std::vector<OtherUnit> stiffnesses = {{"MN/m", 1e6}, {"kN/m", 1e3}};
+const std::vector<OtherUnit> pressures = {{"kPa", 1e3}, {"MPa", 1e6}};
 const std::vector<OtherUnit> forces = {{"kN", 1e3}};
 const std::vector<OtherUnit> speeds = {{"mm/s", 1e-3}, {"mm/min", 1e-3 / 60}};
 const std::vector<OtherUnit> times = {{"ms", 1e-3}, {"us", 1e-6}};
@@ -35,7 +36,7 @@ const std::vector<Row>& table()
       {{"Stones/D min", "Stones/R min", "--d-min", "--r-min", "--bulge", "Stones/Bulge"},
        {1e-6, 0.05, lengths}},
       {{"Box/Length", "Box/Width", "Box/Height", "Drop/Floor side"}, {0.02, 10, lengths}},
-      {{"Box/Slot height"}, {5e-4, 0.5, lengths}},
+      {{"Box/Slot height", "Box/Gap"}, {5e-4, 0.5, lengths}},
       // Of a contact: 1e5 is foam, 1e11 a steel block.
       {{"Contact/Stone stiffness", "Contact/Box stiffness", "Contact/Geogrid stiffness",
         "Contact/Normal stiffness"},
@@ -75,9 +76,10 @@ const std::vector<Row>& table()
       {{"Filling/Settling time limit", "Drop/Settling time limit"}, {1e-3, 1000, times}},
       {{"Surcharge/Force"}, {0.1, 1e6, forces}},
       {{"Surcharge/Sphere radius"}, {1e-3, 1, lengths}},
-      {{"Pull/Speed"}, {1e-6, 10, speeds}},
-      {{"Pull/Distance"}, {1e-5, 2, lengths}},
-      {{"Pull/Ramp time"}, {1e-5, 100, times}},
+      {{"Load/Normal stress"}, {100, 1e7, pressures}},
+      {{"Pull/Speed", "Shear/Speed"}, {1e-6, 10, speeds}},
+      {{"Pull/Distance", "Shear/Distance"}, {1e-5, 2, lengths}},
+      {{"Pull/Ramp time", "Shear/Ramp time"}, {1e-5, 100, times}},
       {{"Packing/Throw speed"}, {1e-6, 100, speeds}},
       {{"Packing/Throw spin"}, {1e-3, 1e4, {{"rpm", 0.10471975511965977}}}},
       // Of a contact: from its stiffness and mass, so nearly anything.

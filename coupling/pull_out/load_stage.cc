@@ -67,7 +67,7 @@ void add_surcharge(LoadStage& stage, PullOut& experiment)
   else
     stage.spheres = add_spheres(surcharge, experiment.parameters().box, world.engine);
   stage.loaded = true;
-  stage.settling = begin_settling(world, protocol::settling_below_load, loosely_still);
+  stage.settling = begin_settling(world, settling_below_load, loosely_still);
 }
 
 StageStatus before_step(LoadStage& stage, PullOut& experiment, RunRecords& records)

@@ -50,7 +50,7 @@ void place(PlaceStage& stage, PullOut& experiment)
             experiment.geogrid_height(), experiment.walls);
   world.place_geogrid(std::move(geogrid));
   stage.placed = true;
-  stage.settling = begin_settling(world, protocol::settling_after_removal, loosely_still);
+  stage.settling = begin_settling(world, settling_after_removal, loosely_still);
 }
 
 std::string description(const RibTransfer& geogrid)

@@ -2,7 +2,7 @@
 
 #include "coupling/pull_out/protocol.h"
 #include "coupling/stones/filled_box.h"
-#include "coupling/stones/stone_quality.h"
+#include "coupling/stones/stone_batch.h"
 #include "dem/input_error.h"
 
 #include <fmt/format.h>
@@ -18,72 +18,25 @@ namespace
 {
 using dem::Vector3;
 
-dem::ContactProperties pair(double k1, double k2, double friction, double tangential_ratio,
-                            double damping_ratio)
+dem::ContactProperties stone_on_geogrid(const PullOutParameters& p)
 {
-  dem::ContactProperties properties;
-  properties.normal_stiffness = dem::series_stiffness(k1, k2);
-  properties.tangential_stiffness = tangential_ratio * properties.normal_stiffness;
-  properties.friction = friction;
-  properties.damping_ratio = damping_ratio;
-  return properties;
-}
-
-// The friction of a pair: what was given for it, or the smaller of the two.
-double friction_of(double given, double one, double other)
-{
-  return given >= 0 ? given : std::min(one, other);
-}
-
-dem::ContactProperties stones_on_stones(const ContactParameters& c)
-{
-  dem::ContactProperties properties = pair(c.stone_stiffness, c.stone_stiffness, c.stone_friction,
-                                           c.tangential_ratio, c.damping_ratio);
-  properties.share_among_contacts = c.share_among_contacts;
-  return properties;
-}
-
-dem::ContactProperties stones_on_box(const ContactParameters& c)
-{
-  dem::ContactProperties properties =
-      pair(c.stone_stiffness, c.box_stiffness,
-           friction_of(c.stone_on_box_friction, c.stone_friction, c.box_friction),
-           c.tangential_ratio, c.damping_ratio);
-  properties.share_among_contacts = c.share_among_contacts;
-  return properties;
-}
-
-dem::ContactProperties stones_on_ribs(const ContactParameters& c, const GeogridParameters& geogrid)
-{
-  const double friction =
-      friction_of(c.stone_on_geogrid_friction, c.stone_friction, c.geogrid_friction);
-  if (c.geogrid_stiffness > 0)
-    return pair(c.stone_stiffness, c.geogrid_stiffness, friction, c.tangential_ratio,
-                c.geogrid_damping_ratio);
+  const StoneContactParameters& stone = p.contact;
+  const GeogridContactParameters& rib = p.geogrid_contact;
+  const double friction = pair_friction(rib.stone_friction, stone.stone_friction, rib.friction);
+  if (rib.stiffness > 0)
+    return linear_pair(stone.stone_stiffness, rib.stiffness, friction, stone.tangential_ratio,
+                       rib.damping_ratio);
   // Stone is some twenty times as stiff as polymer: the rib alone is indented.
   const dem::Elastic rock{std::numeric_limits<double>::infinity(), 0};
-  return dem::hertz_mindlin_pair(rock, {geogrid.youngs_modulus, geogrid.poisson_ratio}, friction,
-                                 c.geogrid_damping_ratio);
-}
-
-// Stones are poured in any attitude, their bounding balls clear of the walls.
-void check_stones_fit(const std::vector<Stone>& stones, const BoxParameters& box)
-{
-  const double room = std::min(box.length, box.width) - 2 * pouring_clearance;
-  for (const Stone& stone : stones) {
-    const double size = 2 * stone.shape.bounding_radius();
-    if (size > room)
-      throw InputError(fmt::format("Stone {} is {:.3g} m across, but the box is only {:.3g} m {}.",
-                                   stone.shape.name, size, std::min(box.length, box.width),
-                                   box.length < box.width ? "long" : "wide"));
-  }
+  return dem::hertz_mindlin_pair(rock, {p.geogrid.youngs_modulus, p.geogrid.poisson_ratio},
+                                 friction, rib.damping_ratio);
 }
 } // namespace
 
 PullOut::PullOut(const PullOutParameters& parameters)
-    : parameters_(parameters), stone_on_stone_(stones_on_stones(parameters.contact)),
-      stone_on_box_(stones_on_box(parameters.contact)),
-      stone_on_rib_(stones_on_ribs(parameters.contact, parameters.geogrid)),
+    : parameters_(parameters), stone_on_stone_(coupling::stone_on_stone(parameters.contact)),
+      stone_on_box_(coupling::stone_on_box(parameters.contact)),
+      stone_on_rib_(stone_on_geogrid(parameters)),
       world_({}, stone_on_stone_, stone_on_rib_, parameters.gravity)
 {
 }
@@ -97,27 +50,17 @@ void PullOut::prepare(const Monitor& monitor, const std::vector<CaseEntry>& entr
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Stone> stones = make_stones(parameters_.stones, monitor);
   check_stones_fit(stones, parameters_.box);
-  n_shapes = static_cast<int>(stones.size());
-  double volume = 0;
-  std::size_t spheres = 0;
-  for (const Stone& stone : stones) {
-    const dem::ClumpShape& shape = stone.shape;
-    volume += shape.volume;
-    spheres += shape.spheres.size();
-    for (const dem::Sphere& sphere : shape.spheres) mean_sphere_radius += sphere.radius;
-    world_.engine.clumps().add_shape(shape);
-  }
-  mean_sphere_radius /= static_cast<double>(spheres);
-  mean_size = std::cbrt(6 / M_PI * volume / n_shapes);
+  const StoneBatch batch = add_shapes(stones, world_.engine.clumps());
+  n_shapes = batch.shapes;
+  mean_size = batch.mean_size;
+  mean_sphere_radius = batch.mean_sphere_radius;
 
   const dem::StableStep stable = expected_stable_step();
   choose_step(stable);
   walls = build_box(world_.engine, parameters_.box, stone_on_box_);
   world_.engine.set_local_damping(parameters_.filling.local_damping);
-  preparation_ = fmt::format("{} stones of {} spheres on average, {}, mean size {:.1f} mm; {}",
-                             n_shapes, spheres / n_shapes, quality_text(stones), 1e3 * mean_size,
-                             time_step_budget(world_.clock.dt, stable));
-  stone_warnings_ = quality_warnings(stones);
+  preparation_ = fmt::format("{}; {}", batch.text, time_step_budget(world_.clock.dt, stable));
+  stone_warnings_ = batch.warnings;
   preparation_time_ =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -240,13 +183,13 @@ void PullOut::drop_lost_stones()
   world_.remove(gone);
 }
 
+Filling PullOut::filling()
+{
+  return {world_, parameters_.box, pouring(), settling()};
+}
+
 bool PullOut::has_settled(const Settling& wait, RunRecords& records) const
 {
-  const Stillness now = stillness(wait, world_, settling());
-  if (now == Stillness::timed_out)
-    records.warn(fmt::format("The stones had not settled after {:.3g} s in stage \"{}\".",
-                             wait.least + parameters_.filling.settling_time_limit,
-                             records.stage_name()));
-  return now != Stillness::moving;
+  return coupling::has_settled(wait, world_, settling(), records);
 }
 } // namespace interlock::coupling

@@ -13,6 +13,7 @@
 #include "coupling/pull_out/pull_out_stages.h"
 #include "coupling/pull_out/start_from.h"
 #include "coupling/stones/box_walls.h"
+#include "coupling/stones/filling.h"
 #include "coupling/stones/pouring.h"
 #include "coupling/stones/settling.h"
 
@@ -59,6 +60,7 @@ public:
   double geogrid_height() const { return 0.5 * parameters_.box.height; } // of its middle plane [m]
   std::unique_ptr<RibTransfer> make_geogrid() const; // unloaded, where it is placed
   Pouring pouring() const;
+  Filling filling();
   SettlingParameters settling() const;
   // Gives a state that was made with other entries those of this case (start_from.h).
   void adapt();

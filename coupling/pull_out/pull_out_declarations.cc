@@ -1,16 +1,12 @@
 #include "coupling/pull_out/pull_out_declarations.h"
 
+#include "coupling/parameters/filling_declarations.h"
 #include "coupling/parameters/stone_declarations.h"
-
-#include <limits>
 
 namespace interlock::coupling
 {
 namespace
 {
-const Range at_least_one{1, std::numeric_limits<double>::infinity(), true};
-const Range friction{0, 5, true};
-const Range damping_ratio{0, 1, true};
 
 void declare_box(ParameterTable& table, BoxParameters& box)
 {
@@ -23,40 +19,19 @@ void declare_box(ParameterTable& table, BoxParameters& box)
                 "Height of the gap in the front wall, centred on the geogrid. [m]");
 }
 
-void declare_contact(ParameterTable& table, ContactParameters& contact)
+void declare_contact(ParameterTable& table, PullOutParameters& parameters)
 {
-  table.open_section("Contact");
-  table.require(
-      "Stone stiffness", contact.stone_stiffness, positive,
-      "Normal contact stiffness of a stone; two bodies act in series, k = k1 k2/(k1 + k2). "
-      "[N/m]");
-  table.require("Box stiffness", contact.box_stiffness, positive,
-                "Normal contact stiffness of the walls and the plate. [N/m]");
-  table.require("Geogrid stiffness", contact.geogrid_stiffness, not_negative,
+  declare_stone_contact(table, parameters.contact);
+  GeogridContactParameters& geogrid = parameters.geogrid_contact;
+  table.require("Geogrid stiffness", geogrid.stiffness, not_negative,
                 "Normal contact stiffness of a rib's surface; 0: Hertz's and Mindlin's, of the "
                 "ribs' material. [N/m]");
-  table.require("Stone friction", contact.stone_friction, friction,
-                "Friction coefficient of the stones; a pair takes the smaller of its two. [-]");
-  table.require("Box friction", contact.box_friction, friction,
-                "Friction coefficient of the walls. [-]");
-  table.require("Geogrid friction", contact.geogrid_friction, friction,
+  table.require("Geogrid friction", geogrid.friction, friction_range,
                 "Friction coefficient of the ribs. [-]");
-  const Range pair_friction{-1, 5, true};
-  table.offer("Stone on box friction", contact.stone_on_box_friction, -1, pair_friction,
-              "Friction coefficient between stones and walls; -1: the smaller of the two. [-]");
-  table.offer("Stone on geogrid friction", contact.stone_on_geogrid_friction, -1, pair_friction,
+  table.offer("Stone on geogrid friction", geogrid.stone_friction, -1, pair_friction_range,
               "Friction coefficient between stones and ribs; -1: the smaller of the two. [-]");
-  table.require("Tangential ratio", contact.tangential_ratio, {0, 2, false},
-                "Tangential over normal contact stiffness. [-]");
-  table.require("Damping ratio", contact.damping_ratio, damping_ratio,
-                "Normal and tangential contact dashpots between stones and at walls, share of the "
-                "critical damping. [-]");
-  table.require(
-      "Share among contacts", contact.share_among_contacts,
-      "Contacts of the same two stones (or of a stone and a wall) share one stiffness and one "
-      "dashpot, so that neither grows with the number of spheres.");
-  table.require("Geogrid damping ratio", contact.geogrid_damping_ratio, damping_ratio,
-                "The same between a stone and a rib, on their reduced mass. [-]");
+  table.require("Geogrid damping ratio", geogrid.damping_ratio, damping_ratio_range,
+                "The dashpots between a stone and a rib, on their reduced mass. [-]");
 }
 
 void declare_lattice(ParameterTable& table, GeogridParameters& geogrid)
@@ -101,28 +76,6 @@ void declare_geogrid(ParameterTable& table, GeogridParameters& geogrid)
               "Stretch at which a rib breaks and the run ends; 0: ribs do not break. [-]");
 }
 
-void declare_filling(ParameterTable& table, FillingParameters& filling)
-{
-  table.open_section("Filling");
-  table.offer_seed("Seed", filling.seed,
-                   "Seed of the order, places and attitudes of the stones in the hopper. [-]");
-  table.require("Drop height", filling.drop_height, not_negative,
-                "Clear height between the surface and the lowest new stone. [m]");
-  table.require("Plate speed", filling.plate_speed, positive,
-                "Speed of the flattening plate. [m/s]");
-  table.require("Plate force limit", filling.plate_force_limit, positive,
-                "The flattening plate stops pressing at this force. [N]");
-  table.require("Local damping", filling.local_damping, {0, 1},
-                "Share of the unbalanced force taken from stones in contact until the pull starts "
-                "(Cundall's local damping), so that they settle sooner. [-]");
-  table.require("Kinetic energy ratio", filling.kinetic_energy_ratio, positive,
-                "Settled, ready for the pull, when the kinetic energy is below this share of total "
-                "weight x mean stone size; ten times as much is enough between two pours. [-]");
-  table.require(
-      "Settling time limit", filling.settling_time_limit, positive,
-      "A settling stage ends after this simulated time at the latest, with a warning. [s]");
-}
-
 void declare_loading(ParameterTable& table, PullOutParameters& parameters)
 {
   table.open_section("Surcharge");
@@ -143,27 +96,6 @@ void declare_loading(ParameterTable& table, PullOutParameters& parameters)
   table.require("Ramp time", parameters.pull.ramp_time, not_negative,
                 "Time from rest to full speed. [s]");
 }
-
-void declare_numerics(ParameterTable& table, PullOutParameters& parameters)
-{
-  declare_time(table, parameters.time);
-
-  table.open_section("Limits");
-  table.offer("Overlap", parameters.limits.overlap, 1, positive,
-              "Overlap of any contact over the mean radius of a member sphere above which the run "
-              "ends: a stone is wedged. [-]");
-
-  table.open_section("Output");
-  table.offer("Records", parameters.output.records, 500, at_least_one,
-              "Rows of history.csv during the pull. [-]");
-  table.offer("Field frames", parameters.output.field_frames, 50, not_negative,
-              "Frames for ParaView during the pull. [-]");
-  table.offer("Report", parameters.output.report, true, "Draw the figures at the end of the run.");
-  table.offer(
-      "Checkpoint interval", parameters.output.checkpoint_interval, 60, not_negative,
-      "Wall-clock time between two checkpoints, beside those at the ends of stages; 0: only "
-      "those. [s]");
-}
 } // namespace
 
 void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
@@ -176,10 +108,13 @@ void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
                    "state_before_pull.h5) to start from; empty: pour the stones.");
   declare_stones(table, parameters.stones);
   declare_box(table, parameters.box);
-  declare_contact(table, parameters.contact);
+  declare_contact(table, parameters);
   declare_geogrid(table, parameters.geogrid);
   declare_filling(table, parameters.filling);
+  table.require("Plate force limit", parameters.filling.plate_force_limit, positive,
+                "The flattening plate stops pressing at this force. [N]");
   declare_loading(table, parameters);
-  declare_numerics(table, parameters);
+  declare_time(table, parameters.time);
+  declare_limits_and_output(table, parameters.limits, parameters.output);
 }
 } // namespace interlock::coupling

@@ -1,6 +1,7 @@
 #include "coupling/pull_out/pull_out_forecast.h"
 
 #include "coupling/pull_out/pull_out.h"
+#include "coupling/stones/stone_batch.h"
 
 #include <cmath>
 #include <numeric>
@@ -9,25 +10,9 @@ namespace interlock::coupling
 {
 namespace
 {
-// Of the quick case: share of the box that stones fill in the end, and simulated times of what ends
-// by itself: a filling (two or three pours that fall and come to rest), a flattening, a settling
-// [s].
-constexpr double solid_share = 0.55;
+// Of the quick case: simulated times of what ends by itself: a filling (two or three pours that
+// fall and come to rest), a flattening, a settling [s].
 constexpr double filling_time = 1, flattening_time = 0.2, placing_time = 0.1, settling_time = 0.5;
-
-double mean_spheres(const dem::Clumps& clumps)
-{
-  std::size_t spheres = 0;
-  for (const dem::ClumpShape& shape : clumps.shapes()) spheres += shape.spheres.size();
-  return static_cast<double>(spheres) / static_cast<double>(clumps.shapes().size());
-}
-
-double mean_volume(const dem::Clumps& clumps)
-{
-  double volume = 0;
-  for (const dem::ClumpShape& shape : clumps.shapes()) volume += shape.volume;
-  return volume / static_cast<double>(clumps.shapes().size());
-}
 
 // Simulated time of a stage.
 struct Duration {
@@ -54,8 +39,7 @@ Forecast forecast(const PullOut& experiment)
   Forecast result;
   result.stones = experiment.preparation();
   result.warnings = experiment.stone_warnings();
-  result.clumps =
-      clumps.size() > 0 ? clumps.size() : std::llround(solid_share * volume / mean_volume(clumps));
+  result.clumps = clumps.size() > 0 ? clumps.size() : expected_stones(clumps, volume);
   result.spheres = std::llround(mean_spheres(clumps) * static_cast<double>(result.clumps));
   result.time_step = experiment.world().clock.dt;
   result.frames = p.output.field_frames + 1;

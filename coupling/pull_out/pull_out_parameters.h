@@ -5,6 +5,8 @@
 #include "coupling/parameters/box_parameters.h"
 #include "coupling/parameters/filling_parameters.h"
 #include "coupling/parameters/geogrid_parameters.h"
+#include "coupling/parameters/output_parameters.h"
+#include "coupling/parameters/stone_contact.h"
 #include "coupling/parameters/stone_parameters.h"
 #include "coupling/parameters/time_step.h"
 
@@ -12,22 +14,12 @@
 
 namespace interlock::coupling
 {
-// Springs in series at a contact, k = k1 k2/(k1 + k2); friction of a pair is the smaller of the
-// two.
-struct ContactParameters {
-  double stone_stiffness = 0;   // [N/m]
-  double box_stiffness = 0;     // [N/m]
-  double geogrid_stiffness = 0; // [N/m]
-  double stone_friction = 0;    // [-]
-  double box_friction = 0;      // [-]
-  double geogrid_friction = 0;  // [-]
-  // Of a pair, instead of the smaller of its two; -1: not given [-].
-  double stone_on_box_friction = -1;
-  double stone_on_geogrid_friction = -1;
-  double tangential_ratio = 0;       // k_t / k_n [-]
-  double damping_ratio = 0;          // normal and tangential dashpot, share of critical [-]
-  bool share_among_contacts = false; // ContactProperties, between stones and at walls
-  double geogrid_damping_ratio = 0;  // the same at stone-rib contacts, on the reduced mass [-]
+// Contacts of stones with ribs; what a stone has of its own is in StoneContactParameters.
+struct GeogridContactParameters {
+  double stiffness = 0;       // of a rib's surface; 0: that of its material [N/m]
+  double friction = 0;        // of the ribs [-]
+  double stone_friction = -1; // of the pair, instead of the smaller one; -1: not given [-]
+  double damping_ratio = 0;   // of the dashpots, on the reduced mass [-]
 };
 
 struct SurchargeParameters {
@@ -42,24 +34,13 @@ struct PullParameters {
   double ramp_time = 0; // from rest to full speed [s]
 };
 
-// Where a run ends because it is no simulation of ballast any more.
-struct LimitParameters {
-  double overlap = 1; // of any contact over the mean radius of a member sphere [-]
-};
-
-struct OutputParameters {
-  int records = 0;                 // rows of history.csv during the pull [-]
-  int field_frames = 0;            // frames for ParaView during the pull [-]
-  bool report = true;              // draw the figures at the end
-  double checkpoint_interval = 60; // of wall-clock time; 0: at the ends of stages only [s]
-};
-
 struct PullOutParameters {
   std::string start_from; // state of another run (start_from.h); empty: an empty box
   double gravity = 9.81;  // along -z [m/s2]
   StoneParameters stones;
   BoxParameters box;
-  ContactParameters contact;
+  StoneContactParameters contact;
+  GeogridContactParameters geogrid_contact;
   GeogridParameters geogrid;
   FillingParameters filling;
   SurchargeParameters surcharge;

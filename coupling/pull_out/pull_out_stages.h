@@ -3,6 +3,7 @@
 
 #include "coupling/loop/energy_ledger.h"
 #include "coupling/run/stage.h"
+#include "coupling/stones/filling.h"
 #include "coupling/stones/settling.h"
 
 #include <string>
@@ -12,20 +13,6 @@ namespace interlock::coupling
 {
 class PullOut;
 class RunRecords;
-
-// Pours, lets settle, and pours what is missing, until the mean surface is at `height`; then takes
-// off the stones whose centre is higher than `height` + `margin`.
-struct FillStage {
-  static constexpr const char* kind = "fill";
-  enum class Phase { begin, pouring, levelling };
-  std::string title; // in the log
-  double height = 0; // [m]
-  double margin = 0; // [m]
-  Phase phase = Phase::begin;
-  int rounds = 0;    // poured so far
-  int taken_off = 0; // stones above the surface
-  Settling settling;
-};
 
 // Presses what stands out of the surface down with a plate that moves at a prescribed speed, until
 // it is at `height` or the stones carry the force limit; then lifts the plate off.
@@ -117,11 +104,6 @@ template <class Stage> std::string stage_name(const Stage&)
 {
   return Stage::kind;
 }
-inline std::string stage_name(const FillStage& stage)
-{
-  return stage.title;
-}
-
 // Other runs may start with the placing of their geogrid, or with their pull.
 inline std::string start_state(const PlaceStage&)
 {
@@ -132,16 +114,6 @@ inline std::string start_state(const PullStage&)
   return "state_before_pull.h5";
 }
 
-template <class Archive> void exchange(Archive& archive, FillStage& stage)
-{
-  archive("title", stage.title);
-  archive("height", stage.height, "m");
-  archive("margin", stage.margin, "m");
-  archive("phase", stage.phase);
-  archive("rounds", stage.rounds);
-  archive("taken_off", stage.taken_off);
-  archive("settling", stage.settling);
-}
 template <class Archive> void exchange(Archive& archive, FlattenStage& stage)
 {
   archive("height", stage.height, "m");

@@ -1,5 +1,6 @@
 #include "coupling/pull_out/protocol.h"
 #include "coupling/pull_out/pull_out.h"
+#include "coupling/stones/soft_start.h"
 
 #include <fmt/format.h>
 
@@ -51,12 +52,6 @@ void note_bounds(PullStage& stage, const PullOut& experiment)
   mark(stage.overlap_left_at,
        stage.largest_overlap > protocol::usable_overlap * experiment.mean_sphere_radius);
   mark(stage.stretch_left_at, stage.largest_stretch > protocol::usable_stretch);
-}
-
-double speed_after(double elapsed, const PullParameters& p)
-{
-  if (elapsed >= p.ramp_time) return p.speed;
-  return p.speed * 0.5 * (1 - std::cos(M_PI * elapsed / p.ramp_time));
 }
 
 // Mean way of the nodes of the rear edge, along the pull [m].
@@ -132,7 +127,8 @@ StageStatus before_step(PullStage& stage, PullOut& experiment, RunRecords& recor
     stage.begin = world.clock.time();
     warn_of_rib_at_wall(experiment, records);
   }
-  world.clamp_velocity = {-speed_after(world.clock.time() - stage.begin, p), 0, 0};
+  world.clamp_velocity = {-p.speed * soft_start(world.clock.time() - stage.begin, p.ramp_time), 0,
+                          0};
   const double progress = stage.displacement / p.distance;
   const OutputParameters& output = experiment.parameters().output;
   stage.is_last = progress >= 1;

@@ -11,7 +11,7 @@ StageStatus before_step(SettleStage& stage, PullOut& experiment, RunRecords& rec
   World& world = experiment.world();
   const auto wait = [&](SettleStage::Phase phase) {
     stage.phase = phase;
-    stage.settling = begin_settling(world, protocol::settling_after_removal, still);
+    stage.settling = begin_settling(world, settling_after_removal, still);
   };
   if (stage.phase == SettleStage::Phase::begin) wait(SettleStage::Phase::damped);
   if (!experiment.has_settled(stage.settling, records))

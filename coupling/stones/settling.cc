@@ -1,5 +1,7 @@
 #include "coupling/stones/settling.h"
 
+#include <fmt/format.h>
+
 namespace interlock::coupling
 {
 namespace
@@ -21,6 +23,16 @@ Stillness stillness(const Settling& settling, const World& world,
   }
   return waited >= settling.least + parameters.time_limit ? Stillness::timed_out
                                                           : Stillness::moving;
+}
+
+bool has_settled(const Settling& settling, const World& world, const SettlingParameters& parameters,
+                 RunRecords& records)
+{
+  const Stillness now = stillness(settling, world, parameters);
+  if (now == Stillness::timed_out)
+    records.warn(fmt::format("The stones had not settled after {:.3g} s in stage \"{}\".",
+                             settling.least + parameters.time_limit, records.stage_name()));
+  return now != Stillness::moving;
 }
 
 double fraction_of(const Settling& settling, const World& world)

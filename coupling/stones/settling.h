@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupling/loop/world.h"
+#include "coupling/run/run_records.h"
 
 namespace interlock::coupling
 {
@@ -14,6 +15,12 @@ struct SettlingParameters {
 // How still: small stones keep slipping into voids for long, which does not matter before the next
 // stones fall on them.
 constexpr double still = 1, loosely_still = 10;
+
+// Times that stones are left to settle at least [s]: after some were taken off or out, about what a
+// stone needs to fall into the hole of another one by half its size, ...
+constexpr double settling_after_removal = 0.02;
+// ... and below a new load, which has to compact the stones first.
+constexpr double settling_below_load = 0.1;
 
 // A wait in progress: a member of the stage that waits.
 struct Settling {
@@ -36,6 +43,10 @@ inline Settling begin_settling(const World& world, double least, double loosenes
 }
 Stillness stillness(const Settling& settling, const World& world,
                     const SettlingParameters& parameters);
+// Whether a stage may settle no longer: true when the stones lie still, and, with a warning, when
+// the time limit has passed.
+bool has_settled(const Settling& settling, const World& world, const SettlingParameters& parameters,
+                 RunRecords& records);
 // Of the wait, for a progress bar: nobody knows how long it takes. Negative when it takes longer
 // than most [-].
 double fraction_of(const Settling& settling, const World& world);

@@ -200,6 +200,17 @@ void Engine::control_wall(WallId id, const ForceControl& control)
   controls_.push_back({id, control});
 }
 
+void Engine::set_controlled_force(WallId id, double force)
+{
+  for (ControlledWall& controlled : controls_) {
+    if (controlled.wall != id) continue;
+    controlled.control.force = force;
+    check(controlled.control);
+    return;
+  }
+  throw std::invalid_argument("The wall " + std::to_string(id) + " keeps no force.");
+}
+
 int Engine::add_mesh_wall(const MeshWall& wall)
 {
   mesh_walls_.push_back(wall);

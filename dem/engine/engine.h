@@ -99,6 +99,9 @@ public:
   // From now on the wall keeps a force: every move_walls sets its velocity along the axis of the
   // control (force_control.h, linear contacts). Throws InputError when the control is not usable.
   void control_wall(WallId wall, const ForceControl& control);
+  // Another force to keep for a wall that keeps one, 0 or more [N]. Throws std::invalid_argument
+  // when it keeps none.
+  void set_controlled_force(WallId wall, double force);
 
   // Walls of triangles (theory/walls.md). What a new one stores from the start, where it overlaps
   // clumps, is booked as inserted. Change their motion between compute_forces and move_walls.

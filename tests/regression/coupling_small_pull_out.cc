@@ -35,12 +35,12 @@ PullOutParameters small_case()
   p.box.height = 0.12;
   p.box.slot_height = 0.02;
   p.contact.stone_stiffness = p.contact.box_stiffness = 1e7;
-  p.contact.geogrid_stiffness = 1e8;
+  p.geogrid_contact.stiffness = 1e8;
   p.contact.stone_friction = 0.6;
-  p.contact.geogrid_friction = 0.7;
+  p.geogrid_contact.friction = 0.7;
   p.contact.tangential_ratio = 1;
   p.contact.damping_ratio = 0.3;
-  p.contact.geogrid_damping_ratio = 0.1;
+  p.geogrid_contact.damping_ratio = 0.1;
   p.geogrid.placement = "not flattened";
   p.geogrid.apertures_along = p.geogrid.apertures_across = 2;
   p.geogrid.pitch_along = p.geogrid.pitch_across = 0.065;

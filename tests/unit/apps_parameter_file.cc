@@ -50,10 +50,10 @@ TEST_F(ParameterFile, TemplateIsTheTestOfThePaper)
   const auto p = pull_out(folder / "base.prm");
   EXPECT_EQ(p.contact.stone_stiffness, 6e7); // Table 6
   EXPECT_EQ(p.contact.box_stiffness, 6e7);
-  EXPECT_EQ(p.contact.geogrid_stiffness, 0); // of the material
+  EXPECT_EQ(p.geogrid_contact.stiffness, 0); // of the material
   EXPECT_EQ(p.contact.stone_friction, 0.6);
   EXPECT_EQ(p.contact.box_friction, 0);
-  EXPECT_EQ(p.contact.geogrid_friction, 0.7);
+  EXPECT_EQ(p.geogrid_contact.friction, 0.7);
   EXPECT_EQ(p.stones.count, 41); // section 3
   EXPECT_EQ(p.pull.speed, 0.01); // section 4
   // Short of the paper's 50 mm (Figs. 9-12), where the second transverse rib, 55 mm behind the
@@ -72,7 +72,7 @@ TEST_F(ParameterFile, QuickCaseIsTheSameTestPulledFaster)
   EXPECT_EQ(quick.pull.speed, 10 * full.pull.speed);
   EXPECT_EQ(quick.pull.distance, 0.02);
   EXPECT_EQ(quick.geogrid.youngs_modulus, full.geogrid.youngs_modulus);
-  EXPECT_EQ(quick.contact.geogrid_friction, full.contact.geogrid_friction);
+  EXPECT_EQ(quick.geogrid_contact.friction, full.geogrid_contact.friction);
 }
 
 TEST_F(ParameterFile, TemplatesShowEveryEntry)

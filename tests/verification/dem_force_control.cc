@@ -147,6 +147,10 @@ TEST(ForceControl, EngineKeepsTheForceOfAWall)
   engine.control_wall(1, press.control);
   for (int n = 0; n < 8000; ++n) press.stage.forces(dt), press.stage.move(dt);
   EXPECT_NEAR(engine.walls()[1].force.z(), 300, 3);
+  engine.set_controlled_force(1, 150);
+  for (int n = 0; n < 8000; ++n) press.stage.forces(dt), press.stage.move(dt);
+  EXPECT_NEAR(engine.walls()[1].force.z(), 150, 1.5);
+  EXPECT_THROW(engine.set_controlled_force(0, 150), std::invalid_argument);
 
   const Wall plate = engine.walls()[1];
   engine.remove_walls({plate.id});

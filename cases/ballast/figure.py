@@ -1,0 +1,125 @@
+#!/usr/bin/python3 -I
+"""Shear box runs side by side: table, and friction angle over normal stress beside published values.
+
+    figure.py RUN_DIR... -o FOLDER     strength.csv (one row a run), strength.md, strength.png in FOLDER
+
+Runs that differ in the seed of their filling only are one series: mean and standard deviation.
+"""
+
+import argparse
+import csv
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "apps"))
+import figures
+import strength_figures
+import matplotlib.pyplot as plt
+import numpy as np
+
+# Column of the table -> value of the results.
+MEASURES = {
+    "peak angle [degrees]": lambda r: r["peak_friction_angle_deg"],
+    "peak by load [degrees]": lambda r: r["peak_friction_angle_of_applied_load_deg"],
+    "residual angle [degrees]": lambda r: r["residual_friction_angle_deg"],
+    "dilation angle [degrees]": lambda r: r["dilation_angle_at_peak_deg"],
+    "at [mm]": lambda r: 1e3 * r["displacement_at_peak_m"],
+    "secant stiffness [MPa/m]": lambda r: 1e-6 * r["secant_stiffness_Pa_per_m"],
+    "volume change [%]": lambda r: 1e2 * r["volume_change_at_end"],
+    "porosity [-]": lambda r: r["porosity"],
+}
+
+
+def read_runs(folders):
+    """One dictionary a finished run: what it is, and its measures; runs without a summary are named."""
+    rows = []
+    for folder in folders:
+        summary, parameters = figures.read_summary(folder), figures.read_parameters(folder)
+        if summary.get("experiment") != "shear box" or "peak_friction_angle_deg" not in summary["results"]:
+            print(f"Left out {folder}: there is no summary.json of a finished shear box.")
+            continue
+        results = summary["results"]
+        row = {"run": os.path.basename(os.path.normpath(folder)), "seed": summary["seed"],
+               "spheres": round(results["spheres_per_stone"]),
+               "friction": figures.number(parameters, "Contact/Stone friction"),
+               "filling": "loose" if figures.number(parameters, "Filling/Stone friction") < 0 else "dense",
+               "stress [kPa]": 1e-3 * results["normal_stress_Pa"],
+               "not usable from [mm]": results.get("not_usable_from_mm", "")}
+        row.update({name: measure(results) for name, measure in MEASURES.items()})
+        rows.append(row)
+    return rows
+
+
+def series_of(rows):
+    """(spheres, friction, filling) -> normal stress -> rows. The mean number of spheres follows from which stones
+    were poured: neighbours are one series."""
+    series = {}
+    for row in rows:
+        spheres = next((key[0] for key in series if abs(key[0] / row["spheres"] - 1) < 0.1), row["spheres"])
+        key = (spheres, row["friction"], row["filling"])
+        series.setdefault(key, {}).setdefault(row["stress [kPa]"], []).append(row)
+    return series
+
+
+def mean_and_deviation(rows, name):
+    values = np.array([row[name] for row in rows], dtype=float)
+    return values.mean(), values.std(ddof=1) if len(values) > 1 else np.nan
+
+
+def write_tables(rows, series, folder):
+    with open(os.path.join(folder, "strength.csv"), "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, fieldnames=list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+    lines = ["| spheres | friction | filling | normal stress [kPa] | fillings | " + " | ".join(MEASURES) + " |",
+             "|" + "---|" * (5 + len(MEASURES))]
+    for (spheres, friction, filling), points in sorted(series.items()):
+        for stress, members in sorted(points.items()):
+            cells = []
+            for name in MEASURES:
+                mean, deviation = mean_and_deviation(members, name)
+                digits = 3 if name.startswith("porosity") else 1
+                cells.append(f"{mean:.{digits}f}" +
+                             ("" if np.isnan(deviation) else f" ± {deviation:.{digits}f}"))
+            lines.append(f"| {spheres} | {friction:g} | {filling} | {stress:g} | {len(members)} | " +
+                         " | ".join(cells) + " |")
+    with open(os.path.join(folder, "strength.md"), "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+    print("\n".join(lines))
+
+
+def draw(series, path):
+    figure, axes = plt.subplots(figsize=(8.5, 6), layout="constrained")
+    strength_figures.strength_axes(axes)
+    for i, ((spheres, friction, filling), points) in enumerate(sorted(series.items())):
+        stresses = sorted(points)
+        colour = figures.COLOURS[i % len(figures.COLOURS)]
+        shift = 1 + 0.02 * (i - len(series) / 2)  # so that bars do not hide each other
+        for name, marker, text in (("peak angle [degrees]", "o", "peak"),
+                                   ("residual angle [degrees]", "v", "last fifth")):
+            mean, deviation = np.transpose([mean_and_deviation(points[s], name) for s in stresses])
+            axes.errorbar(shift * np.array(stresses), mean, np.nan_to_num(deviation), color=colour, marker=marker,
+                          mfc=colour if text == "peak" else "none", linewidth=1, capsize=3,
+                          linestyle="-" if text == "peak" else ":",
+                          label=f"{spheres} spheres, friction {friction:g}, {filling}: {text}")
+    axes.legend(fontsize=7, edgecolor="none", loc="lower right")
+    figures.save(figure, path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("runs", nargs="+", metavar="RUN_DIR")
+    parser.add_argument("-o", "--output", required=True, metavar="FOLDER")
+    arguments = parser.parse_args()
+    rows = read_runs(arguments.runs)
+    if not rows:
+        print("None of the runs is finished.", file=sys.stderr)
+        return 2
+    series = series_of(rows)
+    write_tables(rows, series, arguments.output)
+    draw(series, os.path.join(arguments.output, "strength.png"))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

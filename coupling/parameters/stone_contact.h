@@ -1,0 +1,39 @@
+// Contacts of stones with each other and with walls: linear springs of bodies in series. SI units.
+// The comment beside each member repeats the unit of the entry in the file.
+#pragma once
+
+#include "coupling/parameters/parameter_table.h"
+#include "dem/contacts/contact_law.h"
+
+namespace interlock::coupling
+{
+// Springs in series at a contact, k = k1 k2/(k1 + k2); friction of a pair is the smaller of the
+// two.
+struct StoneContactParameters {
+  double stone_stiffness = 0;        // [N/m]
+  double box_stiffness = 0;          // of walls and plates [N/m]
+  double stone_friction = 0;         // [-]
+  double box_friction = 0;           // [-]
+  double stone_on_box_friction = -1; // of the pair, instead of the smaller one; -1: not given [-]
+  double tangential_ratio = 0;       // k_t / k_n [-]
+  double damping_ratio = 0;          // normal and tangential dashpot, share of critical [-]
+  bool share_among_contacts = false; // ContactProperties, between stones and at walls
+};
+
+const Range friction_range{0, 5, true}, pair_friction_range{-1, 5, true};
+const Range damping_ratio_range{0, 1, true};
+
+// Opens the section Contact and declares every member of `contact`, which must outlive the table.
+void declare_stone_contact(ParameterTable& table, StoneContactParameters& contact);
+
+// The friction of a pair: what was given for it, or, where that is negative, the smaller of the two
+// [-].
+double pair_friction(double given, double one, double other);
+
+// Two bodies with these normal stiffnesses [N/m] in series.
+dem::ContactProperties linear_pair(double k1, double k2, double friction, double tangential_ratio,
+                                   double damping_ratio);
+
+dem::ContactProperties stone_on_stone(const StoneContactParameters& contact);
+dem::ContactProperties stone_on_box(const StoneContactParameters& contact);
+} // namespace interlock::coupling

@@ -1,0 +1,34 @@
+// Everything that a shear box run reads from its parameter file. SI units. The comment beside each
+// member repeats the unit of the entry in the file.
+#pragma once
+
+#include "coupling/parameters/box_parameters.h"
+#include "coupling/parameters/filling_parameters.h"
+#include "coupling/parameters/output_parameters.h"
+#include "coupling/parameters/stone_contact.h"
+#include "coupling/parameters/stone_parameters.h"
+#include "coupling/parameters/time_step.h"
+
+namespace interlock::coupling
+{
+struct ShearParameters {
+  double speed = 0;     // of the lower half [m/s]
+  double distance = 0;  // [m]
+  double ramp_time = 0; // from rest to full speed [s]
+};
+
+struct ShearBoxParameters {
+  double gravity = 9.81; // along -z [m/s2]
+  StoneParameters stones;
+  BoxParameters box;        // both halves together; without a slot
+  double gap = 0;           // between the halves [m]
+  double normal_stress = 0; // on the plane between the halves, weight of the stones included [Pa]
+  StoneContactParameters contact;
+  FillingParameters filling;
+  double filling_friction = -1; // of stones on stones until the test; -1: that of the test [-]
+  ShearParameters shear;
+  TimeParameters time;
+  LimitParameters limits;
+  OutputParameters output;
+};
+} // namespace interlock::coupling

@@ -1,0 +1,137 @@
+// What a shear box run leaves in its summary.
+#include "coupling/shear_box/shear_box.h"
+#include "coupling/stones/curve_measures.h"
+#include "coupling/stones/filled_box.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace interlock::coupling
+{
+namespace
+{
+// Peaks are those of means over this share of a mean stone, slopes are taken over that one, and
+// what is left in the end is the mean over that share of the way [-].
+constexpr double filter_share = 0.05, slope_share = 0.25, end_share = 0.2;
+
+double degrees(double tangent)
+{
+  return 180 / M_PI * std::atan(tangent);
+}
+
+// Shear force over plate and weight: all that a laboratory knows of the normal force. The rims of
+// the upper half hold stones down besides [-].
+double peak_of_applied_load(const ShearStage& shear, double filter)
+{
+  const std::vector<double> t = centred_mean(shear.displacements, shear.shear_forces, filter),
+                            p = centred_mean(shear.displacements, shear.plate_forces, filter);
+  double peak = 0;
+  for (std::size_t k = 0; k < t.size(); ++k)
+    peak = std::max(peak, t[k] / (p[k] + shear.weight_above));
+  return peak;
+}
+
+void describe_strength(const ShearStage& shear, const ShearBox& box,
+                       nlohmann::ordered_json& results)
+{
+  const std::vector<double>& u = shear.displacements;
+  const double filter = filter_share * box.mean_size;
+  const std::vector<double> t = centred_mean(u, shear.shear_forces, filter),
+                            n = centred_mean(u, shear.normal_forces, filter);
+  std::size_t peak = 0;
+  for (std::size_t k = 1; k < u.size(); ++k)
+    if (t[k] * n[peak] > t[peak] * n[k]) peak = k;
+  const double residual = mean_over_end(u, shear.shear_forces, end_share) /
+                          mean_over_end(u, shear.normal_forces, end_share);
+  const double half = first_place_at(u, t, 0.5 * t[peak]);
+  results["peak_friction_angle_deg"] = degrees(t[peak] / n[peak]);
+  results["residual_friction_angle_deg"] = degrees(residual);
+  results["peak_friction_ratio"] = t[peak] / n[peak];
+  results["residual_friction_ratio"] = residual;
+  results["peak_friction_angle_of_applied_load_deg"] = degrees(peak_of_applied_load(shear, filter));
+  results["displacement_at_peak_m"] = u[peak];
+  results["peak_shear_stress_Pa"] = t[peak] / box.area();
+  results["dilation_angle_at_peak_deg"] =
+      degrees(slope_around(u, shear.heights, u[peak], slope_share * box.mean_size));
+  // At half the peak.
+  results["secant_stiffness_Pa_per_m"] = half > 0 ? 0.5 * t[peak] / box.area() / half : 0;
+  const double h = shear.plate_at_begin;
+  const auto [low, high] = std::minmax_element(shear.heights.begin(), shear.heights.end());
+  results["largest_contraction"] = (h - *low) / h; // of the specimen's volume
+  results["largest_dilation"] = (*high - h) / h;
+  results["volume_change_at_end"] = (shear.heights.back() - h) / h;
+  results["porosity_at_end"] = box.porosity();
+}
+
+void describe_forces(const ShearStage& shear, const ShearBox& box, nlohmann::ordered_json& results)
+{
+  const ShearBoxParameters& p = box.parameters();
+  const double way = 1; // all of it
+  const double normal = mean_over_end(shear.displacements, shear.normal_forces, way);
+  results["mean_normal_stress_Pa"] = normal / box.area();
+  results["mean_friction_ratio"] =
+      mean_over_end(shear.displacements, shear.shear_forces, way) / normal;
+  results["mean_plate_force_N"] = mean_over_end(shear.displacements, shear.plate_forces, way);
+  results["shear_distance_m"] = shear.displacements.back();
+  // Rate of shear over the whole height against the time that a stone needs to fall into a pore:
+  // below some 1e-3 the rate does not matter.
+  results["inertial_number"] = p.shear.speed / shear.plate_at_begin * box.mean_size *
+                               std::sqrt(p.stones.density * box.area() / normal);
+  results["largest_overlap_m"] = shear.largest_overlap;
+  results["largest_overlap_over_mean_sphere_radius"] =
+      shear.largest_overlap / box.mean_sphere_radius;
+  results["smallest_stable_step_s"] = shear.smallest_stable_step;
+}
+
+void describe_usability(const ShearStage& shear, Summary& summary)
+{
+  if (shear.overlap_left_at < 0) return;
+  const std::string reason = "a contact overlaps by more than a tenth of the mean radius of a "
+                             "sphere (contacts too soft for this load?)";
+  summary.results["not_usable_from_mm"] = 1e3 * shear.overlap_left_at;
+  summary.results["not_usable_because"] = reason;
+  summary.not_usable = fmt::format("From {:.1f} mm on the shearing is not to be used: {}.",
+                                   1e3 * shear.overlap_left_at, reason);
+}
+} // namespace
+
+void describe_specimen(const ShearBox& box, RunRecords& records)
+{
+  const World& world = box.world();
+  const dem::Clumps& clumps = world.engine.clumps();
+  nlohmann::ordered_json& results = records.summary.results;
+  const double mass = world.engine.mass();
+  results["normal_stress_Pa"] = box.parameters().normal_stress;
+  results["stones"] = stones(clumps);
+  results["mean_stone_size_m"] = box.mean_size;
+  results["spheres_per_stone"] = double(clumps.n_spheres()) / std::max(1, clumps.size());
+  results["mass_kg"] = mass;
+  results["weight_above_plane_N"] = box.weight_above_plane();
+  results["height_m"] = box.plate_height();
+  results["bulk_density_kg_per_m3"] = mass / (box.area() * box.plate_height());
+  results["porosity"] = box.porosity();
+}
+
+void ShearBox::finish(std::vector<Stage>& plan, RunRecords& records) const
+{
+  const ShearStage& shear = std::get<ShearStage>(plan.back());
+  Summary& summary = records.summary;
+  summary.seed = parameters_.filling.seed;
+  summary.contacts = world_.engine.n_touching_spheres();
+  add_ledger(summary, shear.ledger);
+  const EnergyLedger change = difference(shear.ledger, shear.ledger_at_begin);
+  summary.energy["shear_wall_work_J"] = change.wall_work;
+  summary.energy["shear_residual_J"] = change.residual();
+  describe_strength(shear, *this, summary.results);
+  describe_forces(shear, *this, summary.results);
+  describe_usability(shear, summary);
+  if (world_.clock.dt > shear.smallest_stable_step)
+    records.warn(
+        fmt::format("The time step of {:.3g} s was above the live stable step of {:.3g} s.",
+                    world_.clock.dt, shear.smallest_stable_step));
+  warn_of_ledger(shear.ledger, records);
+  summary.ledger_closes = shear.ledger.relative_error() <= ledger_failure;
+}
+} // namespace interlock::coupling
