@@ -132,13 +132,15 @@ std::vector<NodeRate> RibTransfer::contact_rates(const dem::RibContacts& contact
 }
 
 int RibTransfer::required_substeps(double dt, const std::vector<NodeRate>& rates,
-                                   double damping_ratio) const
+                                   double damping_ratio, bool with_bends) const
 {
   if (rigid_) return 1;
   std::vector<double> sums(lattice().n_nodes(), 0.);
   for (const NodeRate& at : rates) sums[at.node] += at.rate;
   const double fastest = *std::max_element(sums.begin(), sums.end());
-  const double beam = 2 / dynamics_.stable_step(), z = damping_ratio;
+  const double beam_step =
+      with_bends ? dynamics_.stable_step() : dynamics_.stable_step_without_bends();
+  const double beam = 2 / beam_step, z = damping_ratio;
   const double stable = 2 / std::sqrt(beam * beam + fastest) * (std::sqrt(1 + z * z) - z);
   return std::max(2, static_cast<int>(std::ceil(dt / (0.75 * stable))));
 }

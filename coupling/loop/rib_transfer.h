@@ -49,8 +49,10 @@ public:
   // Number of equal sub-steps in a step `dt` [s] that keeps beams and contacts stable: 1/h^2 =
   // 1/h_beam^2 + the largest sum, over the contacts at one node, of its rates / 4, with the
   // dashpot's factor sqrt(1 + z^2) - z and a margin of 0.75 (a dashpot at a lever arm shortens the
-  // step more than that factor says). At least 2; 1 for a rigid geogrid.
-  int required_substeps(double dt, const std::vector<NodeRate>& rates, double damping_ratio) const;
+  // step more than that factor says). At least 2; 1 for a rigid geogrid. How far ribs are bent is
+  // looked at if asked for, which takes as long as a sub-step of the beams.
+  int required_substeps(double dt, const std::vector<NodeRate>& rates, double damping_ratio,
+                        bool with_bends = true) const;
 
   double mass() const { return lattice().mass(); } // [kg]
 

@@ -79,7 +79,12 @@ int StaggeredStep::required_substeps(double dt)
     const Stopwatch watch(told_time_);
     rates = geogrid_ranks_->all_rates(rates);
   }
-  return geogrid_->required_substeps(dt, rates, rib_contacts_.properties().damping_ratio);
+  // Ribs bend slowly, and what they once asked for stays.
+  constexpr int steps_between_looks = 16;
+  const bool looks_at_bends = steps_to_look_ == 0;
+  steps_to_look_ = looks_at_bends ? steps_between_looks - 1 : steps_to_look_ - 1;
+  return geogrid_->required_substeps(dt, rates, rib_contacts_.properties().damping_ratio,
+                                     looks_at_bends);
 }
 
 // Local damping goes by the whole unbalanced force, that of the ribs included.

@@ -45,11 +45,12 @@ public:
   // Whether this rank has, and all ranks have, the geogrid where it is now.
   bool moves_geogrid() const { return !is_dealt() || geogrid_ranks_->moves_here(); }
   bool all_move_geogrid() const { return !is_dealt() || geogrid_ranks_->moves_everywhere(); }
-  // On a rank that did not move the geogrid: the last step of one that did.
-  void take_over(int substeps, const dem::Vector3& clamp_force)
+  // What a rank that did not move the geogrid takes over from one that did.
+  template <class Archive> void exchange_step(Archive& archive)
   {
-    substeps_ = substeps;
-    clamp_force_ = clamp_force;
+    archive("substeps", substeps_);
+    archive("steps_to_look", steps_to_look_);
+    archive("clamp_force", clamp_force_, "N");
   }
 
   // Advances everything by dt [s]. `clamp_velocity` holds for the whole step [m/s]. With `ledger`,
@@ -72,7 +73,7 @@ public:
   double rib_time() const { return geogrid_time_ - lattice_time_ - told_time_; }
   double message_time() const { return copy_time_ + told_time_; }
   // The next step takes as many sub-steps as it needs, also if that is fewer than before.
-  void forget_substeps() { substeps_ = 1; }
+  void forget_substeps() { substeps_ = 1, steps_to_look_ = 0; }
   const dem::RibContacts& rib_contacts() const { return rib_contacts_; }
   // Pair properties of stones with ribs; changing them between steps is allowed.
   dem::ContactProperties& stone_on_rib() { return rib_contacts_.properties(); }
@@ -87,8 +88,7 @@ public:
     archive("inserted", loop.geogrid_inserted_, "J");
     archive("removed", loop.rib_energy_removed_, "J");
     archive("work_on_stones", loop.rib_work_on_stones_);
-    archive("substeps", loop.substeps_);
-    archive("clamp_force", loop.clamp_force_, "N");
+    loop.exchange_step(archive);
     RibSide side;
     if (!Archive::reading) side = loop.memory();
     exchange(archive, side);
@@ -126,6 +126,7 @@ private:
   // Only grows within a stage, so that velocities stay centred between equal steps: part of the
   // state.
   int substeps_ = 1;
+  int steps_to_look_ = 0; // until the bends of the ribs are looked at
   double geogrid_time_ = 0, lattice_time_ = 0, told_time_ = 0, copy_time_ = 0; // [s]
   dem::Vector3 clamp_force_ = dem::Vector3::Zero();
 };

@@ -141,18 +141,13 @@ void World::receive_geogrid()
   if (ribs.all_move_geogrid()) return;
   dem::Bytes bytes;
   dem::ByteWriter writer(bytes);
-  int substeps = ribs.substeps();
-  dem::Vector3 clamp_force = ribs.clamp_force();
   writer("geogrid", *geogrid_);
-  writer("substeps", substeps);
-  writer("clamp_force", clamp_force);
+  ribs.exchange_step(writer);
   bytes = domain_->ranks().from(0, std::move(bytes));
   if (ribs.moves_geogrid()) return;
   dem::ByteReader reader(bytes);
   reader("geogrid", *geogrid_);
-  reader("substeps", substeps);
-  reader("clamp_force", clamp_force);
-  ribs.take_over(substeps, clamp_force);
+  ribs.exchange_step(reader);
 }
 
 bool World::geogrid_has_moved() const

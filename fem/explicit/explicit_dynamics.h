@@ -179,11 +179,16 @@ public:
   // half a step back.
   void step(double h);
 
-  // Largest stable step without contacts [s] in the present shape, see BeamFrequency, BentBeams.
+  // Largest stable step without contacts [s] in the present shape, see BeamFrequency, BentBeams:
+  // costs as much as a step. Without the bends of the elements it costs nothing.
   double stable_step() const
   {
     return frequency_.stable_step(largest_force_, largest_plastic_stretch_,
                                   bent_.largest(beams_, position_, orientation_, n_padded_));
+  }
+  double stable_step_without_bends() const
+  {
+    return frequency_.stable_step(largest_force_, largest_plastic_stretch_);
   }
 
   LatticeEnergies energies() const;

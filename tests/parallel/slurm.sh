@@ -21,7 +21,8 @@ chmod 755 "$folder"
 dd if=/dev/urandom of="$folder/munge.key" bs=128 count=1 status=none
 chmod 400 "$folder/munge.key"
 munged --foreground --force --key-file "$folder/munge.key" --socket "$folder/munge.socket" --pid-file "$folder/munge.pid" \
-  --seed-file "$folder/munge.seed" --log-file "$folder/munge.log" &
+  --seed-file "$folder/munge.seed" --log-file "$folder/munge.log" \
+  >"$folder/munged.log" 2>&1 &
 daemons+=($!)
 cat >"$folder/slurm.conf" <<END
 ClusterName=test
