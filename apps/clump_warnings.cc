@@ -34,8 +34,12 @@ std::string joining_setting(const ClumpResult& result)
 {
   const double d_min = result.parameters.d_min, r_min = result.parameters.r_min;
   const std::string stop = stop_setting(result.report.stop);
-  if (result.report.stop == dem::Stop::max_spheres) return stop + ", or --sphere-order gain";
-  if (d_min > r_min) return (stop.empty() ? "" : stop + " and ") + "--d-min not above --r-min";
+  // By gain a few spheres hang together, too.
+  const std::string or_by_gain =
+      result.report.stop == dem::Stop::max_spheres ? ", or --sphere-order gain" : "";
+  if (d_min > r_min)
+    return (stop.empty() ? "" : stop + " and ") + "--d-min not above --r-min" + or_by_gain;
+  if (!or_by_gain.empty()) return stop + or_by_gain;
   if (!stop.empty()) return stop;
   return d_min > 0 ? "a smaller --d-min or a larger --r-min" : "a larger --r-min";
 }

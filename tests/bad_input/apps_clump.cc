@@ -202,7 +202,7 @@ TEST_F(ClumpProgram, WarnsOfAClumpInPieces)
         text_of(work / "x.report.json").find("\"groups\": 1,") == std::string::npos;
     pieces += is_apart;
     EXPECT_EQ(out.find("groups that do not touch each other: choose a larger --max-spheres and "
-                       "--d-min not above --r-min.") != std::string::npos,
+                       "--d-min not above --r-min, or --sphere-order gain.") != std::string::npos,
               is_apart)
         << out;
     EXPECT_NE(out.find("less volume than the stone: choose a larger --max-spheres."),
