@@ -173,7 +173,8 @@ def random_case(chance):
     elif case == PACKING:
         entries += [f"Packing/Seed={chance.randint(1, 10**6)}", f"Contact/Friction={chance.uniform(0.2, 0.9):.3f}"]
     else:
-        entries += [f"Drop/Seed={chance.randint(1, 10**6)}", f"Contact/Stone friction={chance.uniform(0.3, 0.9):.3f}"]
+        stones = "Drop" if case.stem == "heap" else "Filling"
+        entries += [f"{stones}/Seed={chance.randint(1, 10**6)}", f"Contact/Stone friction={chance.uniform(0.3, 0.9):.3f}"]
     return name, case, entries
 
 
