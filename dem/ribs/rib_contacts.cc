@@ -80,13 +80,6 @@ void RibContacts::store_lanes()
   }
 }
 
-double RibContacts::elastic_energy() const
-{
-  double sum = 0;
-  for (const RibContact& c : contacts_) sum += elastic_energy(c);
-  return sum;
-}
-
 std::vector<double> RibContacts::elastic_energies() const
 {
   std::vector<double> energies;

@@ -74,8 +74,8 @@ public:
   const std::vector<RibContact>& contacts() const { return contacts_; }
   const ContactProperties& properties() const { return contact_; }
   ContactProperties& properties() { return contact_; }
-  double elastic_energy() const;                // of all of them, for the present properties [J]
-  std::vector<double> elastic_energies() const; // of each of them, the same [J]
+  // In the springs of each of them, for the present properties [J].
+  std::vector<double> elastic_energies() const;
   // Energy in the springs of the contacts of the marked clumps, at the last evaluation [J].
   double elastic_energy_of(const std::vector<bool>& clumps) const;
 
