@@ -14,25 +14,27 @@ namespace
 bool some_could_come(const dem::Clumps& clumps, const dem::RibSet& ribs, double room)
 {
   Eigen::AlignedBox3d box;
-  double section = 0;
-  for (const dem::Rib& rib : ribs.all()) {
-    for (const dem::Vector3& x : rib.x) box.extend(x);
-    section = std::max(section, dem::section_reach(rib));
-  }
-  // A stone is near before it touches (RibContacts::near_clumps).
-  const double reach = section + dem::RibContacts::largest_skin + 2 * room;
+  for (const dem::Rib& rib : ribs.all())
+    box.extend(dem::RibSearch::box_around(rib, reach_until_dealt(room)));
   for (int i = 0; i < clumps.size(); ++i)
     if (clumps.ghost[i] == 0 &&
-        box.exteriorDistance(dem::Vector3(clumps.position[i])) <= clumps.bounding_radius(i) + reach)
+        box.exteriorDistance(dem::Vector3(clumps.position[i])) <= clumps.bounding_radius(i))
       return true;
   return false;
 }
 } // namespace
 
-GeogridRanks::GeogridRanks(const dem::Ranks& ranks, const dem::Clumps& clumps,
-                           const dem::RibSet& ribs, double room)
-    : group_(ranks, ranks.rank() == 0 || some_could_come(clumps, ribs, room))
+GeogridRanks::GeogridRanks(const dem::Domain& domain, const dem::Clumps& clumps,
+                           RibTransfer& geogrid)
+    : ranks_(domain.ranks()), group_(ranks_, false)
 {
+  if (has_parts(geogrid.lattice())) {
+    parts_.emplace(domain, clumps, geogrid);
+    group_ = dem::RankGroup(ranks_, parts_->neighbours());
+  } else {
+    const bool near = some_could_come(clumps, geogrid.ribs(), domain.room());
+    group_ = dem::RankGroup(ranks_, ranks_.rank() == 0 || near);
+  }
 }
 
 const std::vector<dem::RodLoads>& GeogridRanks::all_loads(const std::vector<dem::RodLoads>& mine,
@@ -76,5 +78,32 @@ std::vector<NodeRate> GeogridRanks::all_rates(const std::vector<NodeRate>& mine)
   for (const std::vector<NodeRate>& said : group_.all(mine))
     rates.insert(rates.end(), said.begin(), said.end());
   return rates;
+}
+
+SubstepNeeds GeogridRanks::largest_of_parts(const SubstepNeeds& mine) const
+{
+  if (!parts_) return mine;
+  std::vector<double> numbers = {mine.contacts, mine.beams.force, mine.beams.plastic_stretch,
+                                 mine.beams.bend};
+  ranks_.largest(numbers);
+  return {numbers[0], {numbers[1], numbers[2], numbers[3]}};
+}
+
+dem::Vector3 GeogridRanks::sum_of_parts(const dem::Vector3& mine) const
+{
+  if (!parts_) return mine;
+  std::vector<double> sum(mine.data(), mine.data() + 3);
+  ranks_.sum(sum);
+  return dem::Vector3(sum.data());
+}
+
+void GeogridRanks::refresh()
+{
+  if (parts_) parts_->refresh();
+}
+
+void GeogridRanks::gather() const
+{
+  if (parts_) parts_->gather();
 }
 } // namespace interlock::coupling

@@ -1,5 +1,6 @@
 #include "coupling/loop/rib_transfer.h"
 
+#include "dem/exact_sums.h"
 #include "fem/layouts/biaxial_layout.h"
 
 #include <algorithm>
@@ -43,12 +44,14 @@ RibTransfer RibTransfer::biaxial(const GeogridParameters& p, const dem::Vector3&
 
 RibTransfer::RibTransfer(const fem::Lattice& unloaded, const fem::DynamicsOptions& options,
                          const std::vector<int>& clamped, bool rigid, double edge_rounding)
-    : rigid_(rigid), dynamics_(unloaded, options)
+    : rigid_(rigid), dynamics_(unloaded, options), node_rates_(unloaded.n_nodes(), 0.),
+      is_clamped_(unloaded.n_nodes(), rigid)
 {
   if (rigid_)
     dynamics_.clamp_all();
   else
     dynamics_.clamp(clamped);
+  for (const int node : clamped) is_clamped_[node] = true;
 
   std::vector<dem::RibShape> shapes;
   for (int e = 0; e < lattice().n_elements(); ++e) {
@@ -61,21 +64,66 @@ RibTransfer::RibTransfer(const fem::Lattice& unloaded, const fem::DynamicsOption
     shape.rounding = edge_rounding;
     for (int end : {0, 1}) {
       const int node = element.node[end];
-      const bool prescribed =
-          rigid_ || std::find(clamped.begin(), clamped.end(), node) != clamped.end();
-      shape.inverse_mass[end] = prescribed ? 0 : 1 / dynamics_.mass(node);
+      shape.inverse_mass[end] = is_clamped_[node] ? 0 : 1 / dynamics_.mass(node);
       shape.width_axis[end] = element.frame * dem::Vector3::UnitY();
     }
     shapes.push_back(shape);
   }
   ribs_ = dem::RibSet(std::move(shapes), dynamics_.n_slots());
+  hold_all();
   refresh_ribs();
+}
+
+void RibTransfer::hold_all()
+{
+  dynamics_.move_all_blocks();
+  ribs_.set_all_present();
+  clamped_.clear();
+  const std::vector<std::vector<int>> slots = dynamics_.slots_of_nodes();
+  for (std::size_t node = 0; node < slots.size(); ++node)
+    if (is_clamped_[node]) clamped_.insert(clamped_.end(), slots[node].begin(), slots[node].end());
+}
+
+void RibTransfer::hold_part(const std::vector<int>& blocks, const std::vector<int>& known)
+{
+  hold_all();
+  dynamics_.move_blocks(blocks);
+  std::vector<bool> moved(dynamics_.n_slots(), false);
+  const int width = fem::ExplicitDynamics::slots_of_block();
+  for (const int block : blocks)
+    for (int s = block * width; s < std::min((block + 1) * width, dynamics_.n_slots()); ++s)
+      moved[s] = true;
+  clamped_.erase(
+      std::remove_if(clamped_.begin(), clamped_.end(), [&](int slot) { return !moved[slot]; }),
+      clamped_.end());
+
+  std::vector<bool>& present = moved;
+  for (const int slot : known) present[slot] = true;
+  std::vector<dem::EndRange> ends;
+  for (int s = 0; s < dynamics_.n_slots(); ++s) {
+    if (!present[s]) continue;
+    if (s == 0 || !present[s - 1]) ends.push_back({s, s});
+    ++ends.back().end;
+  }
+  ribs_.set_present_ends(std::move(ends));
+}
+
+dem::Vector3 RibTransfer::clamp_force() const
+{
+  dem::Vector3 sum(0, 0, 0);
+  for (const int slot : clamped_)
+    for (int c = 0; c < 3; ++c)
+      sum[c] += dem::on_grid<dem::force_grid>(dynamics_.slot_clamp_forces()[c][slot]);
+  return sum;
 }
 
 void RibTransfer::refresh_ribs()
 {
-  const auto copy = [n = dynamics_.n_slots()](const fem::Lane& from, double* to) {
-    std::copy_n(from.data(), n, to);
+  const auto copy = [this](const fem::Lane& from, double* to) {
+    for (const dem::EndRange& ends : ribs_.present_ends()) {
+      const int end = std::min(ends.end, dynamics_.n_slots());
+      std::copy(from.data() + ends.begin, from.data() + end, to + ends.begin);
+    }
   };
   for (int c = 0; c < 3; ++c) {
     copy(dynamics_.slot_positions()[c], ribs_.position.row(c));
@@ -131,17 +179,21 @@ std::vector<NodeRate> RibTransfer::contact_rates(const dem::RibContacts& contact
   return rates;
 }
 
-int RibTransfer::required_substeps(double dt, const std::vector<NodeRate>& rates,
-                                   double damping_ratio, bool with_bends) const
+SubstepNeeds RibTransfer::substep_needs(const std::vector<NodeRate>& rates, bool with_bends)
+{
+  SubstepNeeds needs;
+  for (const NodeRate& at : rates)
+    needs.contacts = std::max(needs.contacts, node_rates_[at.node] += at.rate);
+  for (const NodeRate& at : rates) node_rates_[at.node] = 0;
+  needs.beams = dynamics_.extremes(with_bends);
+  return needs;
+}
+
+int RibTransfer::required_substeps(double dt, const SubstepNeeds& needs, double damping_ratio) const
 {
   if (rigid_) return 1;
-  std::vector<double> sums(lattice().n_nodes(), 0.);
-  for (const NodeRate& at : rates) sums[at.node] += at.rate;
-  const double fastest = *std::max_element(sums.begin(), sums.end());
-  const double beam_step =
-      with_bends ? dynamics_.stable_step() : dynamics_.stable_step_without_bends();
-  const double beam = 2 / beam_step, z = damping_ratio;
-  const double stable = 2 / std::sqrt(beam * beam + fastest) * (std::sqrt(1 + z * z) - z);
+  const double beam = 2 / dynamics_.stable_step(needs.beams), z = damping_ratio;
+  const double stable = 2 / std::sqrt(beam * beam + needs.contacts) * (std::sqrt(1 + z * z) - z);
   return std::max(2, static_cast<int>(std::ceil(dt / (0.75 * stable))));
 }
 } // namespace interlock::coupling

@@ -17,6 +17,13 @@ struct NodeRate {
   double rate; // a multiple of 1024: sums of them know no order
 };
 
+// What the number of sub-steps goes by: maxima, so those of parts of a lattice make that of the
+// whole.
+struct SubstepNeeds {
+  double contacts = 0; // largest sum of the rates at one node [1/s2]
+  fem::LatticeExtremes beams;
+};
+
 // Owns the lattice, its motion and its clamp. Rib r of dem is element r of fem: that is the whole
 // map between them.
 class RibTransfer
@@ -46,13 +53,24 @@ public:
 
   // What each contact adds to the bounds of the nodes that it loads: k N (1/m + arm^2/J).
   std::vector<NodeRate> contact_rates(const dem::RibContacts& contacts) const;
+  // Of these contacts and of the elements that are moved here. How far ribs are bent is looked at
+  // if asked for, which takes as long as a sub-step of the beams.
+  SubstepNeeds substep_needs(const std::vector<NodeRate>& rates, bool with_bends = true);
   // Number of equal sub-steps in a step `dt` [s] that keeps beams and contacts stable: 1/h^2 =
   // 1/h_beam^2 + the largest sum, over the contacts at one node, of its rates / 4, with the
   // dashpot's factor sqrt(1 + z^2) - z and a margin of 0.75 (a dashpot at a lever arm shortens the
-  // step more than that factor says). At least 2; 1 for a rigid geogrid. How far ribs are bent is
-  // looked at if asked for, which takes as long as a sub-step of the beams.
-  int required_substeps(double dt, const std::vector<NodeRate>& rates, double damping_ratio,
-                        bool with_bends = true) const;
+  // step more than that factor says). At least 2; 1 for a rigid geogrid.
+  int required_substeps(double dt, const SubstepNeeds& needs, double damping_ratio) const;
+
+  // Mean force of the clamp on the lattice over the last step, of the nodes that are moved here:
+  // its terms are on the grid of forces (dem/exact_sums.h) [N].
+  dem::Vector3 clamp_force() const;
+
+  // From now on these blocks of slots are moved here, and the motion of `known` slots comes from
+  // elsewhere (fem::ExplicitDynamics::move_blocks): both ascending. Ribs with other ends are not
+  // looked at.
+  void hold_part(const std::vector<int>& blocks, const std::vector<int>& known);
+  void hold_all();
 
   double mass() const { return lattice().mass(); } // [kg]
 
@@ -70,6 +88,9 @@ public:
 private:
   bool rigid_;
   fem::ExplicitDynamics dynamics_;
-  dem::RibSet ribs_; // their ends are the slots of the lattice
+  dem::RibSet ribs_;               // their ends are the slots of the lattice
+  std::vector<int> clamped_;       // slots, of those that are moved here
+  std::vector<double> node_rates_; // zero between uses
+  std::vector<bool> is_clamped_;   // by node
 };
 } // namespace interlock::coupling

@@ -67,10 +67,14 @@ void StaggeredStep::move_with_geogrid(double dt, const dem::Vector3& clamp_veloc
   clamp_force_.setZero();
   for (int s = 0; s < substeps_; ++s) substep(dt / substeps_, clamp_velocity);
   end_substeps();
+  if (is_dealt()) {
+    const Stopwatch waiting(told_time_);
+    clamp_force_ = geogrid_ranks_->sum_of_parts(clamp_force_);
+  }
   clamp_force_ /= substeps_;
 }
 
-// The same on all ranks of the geogrid.
+// The same on all ranks that move the geogrid.
 int StaggeredStep::required_substeps(double dt)
 {
   if (geogrid_->rigid()) return 1;
@@ -83,8 +87,12 @@ int StaggeredStep::required_substeps(double dt)
   constexpr int steps_between_looks = 16;
   const bool looks_at_bends = steps_to_look_ == 0;
   steps_to_look_ = looks_at_bends ? steps_between_looks - 1 : steps_to_look_ - 1;
-  return geogrid_->required_substeps(dt, rates, rib_contacts_.properties().damping_ratio,
-                                     looks_at_bends);
+  SubstepNeeds needs = geogrid_->substep_needs(rates, looks_at_bends);
+  if (is_dealt()) {
+    const Stopwatch watch(told_time_);
+    needs = geogrid_ranks_->largest_of_parts(needs);
+  }
+  return geogrid_->required_substeps(dt, needs, rib_contacts_.properties().damping_ratio);
 }
 
 // Local damping goes by the whole unbalanced force, that of the ribs included.
@@ -130,10 +138,15 @@ void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
   rib_friction_.add(energy.friction);
   rib_damping_.add(energy.damping);
   rib_work_on_stones_.add(near_.move(h));
-  const Stopwatch watch(lattice_time);
-  geogrid_->dynamics().set_clamp_velocity(clamp_velocity);
-  geogrid_->dynamics().step(h);
-  clamp_force_ += geogrid_->dynamics().clamp_reaction();
+  {
+    const Stopwatch watch(lattice_time);
+    geogrid_->dynamics().set_clamp_velocity(clamp_velocity);
+    geogrid_->dynamics().step(h);
+    clamp_force_ += geogrid_->clamp_force();
+  }
+  if (!is_dealt()) return;
+  const Stopwatch watch(told_time_);
+  geogrid_ranks_->refresh();
 }
 
 void StaggeredStep::load_lattice(const std::vector<dem::RodLoads>& mine)
@@ -176,7 +189,12 @@ void StaggeredStep::restore(RibSide side)
 
 void StaggeredStep::choose_geogrid_ranks()
 {
-  geogrid_ranks_.emplace(domain_->ranks(), engine_.clumps(), geogrid_->ribs(), domain_->room());
+  geogrid_ranks_.emplace(*domain_, engine_.clumps(), *geogrid_);
+}
+
+void StaggeredStep::complete_geogrid() const
+{
+  if (geogrid_ && is_dealt()) geogrid_ranks_->gather();
 }
 
 void StaggeredStep::unite_sums()
@@ -215,6 +233,7 @@ EnergyLedger StaggeredStep::ledger(double dt) const
   ledger.contact_damping += damping;
   ledger.interface_work_on_stones = total(rib_work_on_stones_);
   ledger.interface_stored_and_lost = elastic + friction + damping + rib_energy_removed_;
+  complete_geogrid();
   const fem::LatticeEnergies lattice = geogrid_->dynamics().energies();
   ledger.kinetic_geogrid = lattice.kinetic;
   ledger.gravitational += lattice.gravitational;

@@ -42,7 +42,10 @@ public:
   // what ranks have added to sums since. Collective among all of them.
   void choose_geogrid_ranks();
   void unite_sums();
-  // Whether this rank has, and all ranks have, the geogrid where it is now.
+  // The whole geogrid where it is now, on all ranks that move it: of a large one each rank moves a
+  // part. Collective among all ranks.
+  void complete_geogrid() const;
+  // Whether this rank moves, and all ranks move, the geogrid or a part of it.
   bool moves_geogrid() const { return !is_dealt() || geogrid_ranks_->moves_here(); }
   bool all_move_geogrid() const { return !is_dealt() || geogrid_ranks_->moves_everywhere(); }
   // What a rank that did not move the geogrid takes over from one that did.

@@ -56,7 +56,8 @@ public:
   bool is_whole() const { return !domain_ || domain_->is_whole(); }
   // The number of ranks that share the stones.
   int n_ranks() const { return domain_ ? domain_->ranks().size() : 1; }
-  // Whether this rank knows where the geogrid is now.
+  // The geogrid is where it is now on every rank for which moves_geogrid() is true.
+  void complete_geogrid() const { ribs.complete_geogrid(); }
   bool moves_geogrid() const { return ribs.moves_geogrid(); }
   // Everything comes to every rank, until the next step that nobody looks at. Collective, like all
   // below that speak of ranks.
@@ -93,8 +94,8 @@ public:
   // Kicks, drifts, sub-steps of the ribs, walls, clock.
   void move();
 
-  // Energies now; call between compute_forces and move. The geogrid's part is up to date on the
-  // first rank and, when everything is everywhere, on all.
+  // Energies now; call between compute_forces and move. Completes the geogrid: its part is up to
+  // date on the first rank and on all that move it.
   EnergyLedger ledger() const;
   // Of all stones, with the velocities half a step back: cheap, for settling criteria [J].
   double kinetic_energy() const { return engine.kinetic_energy(); }

@@ -94,7 +94,8 @@ void World::deal()
       costs.push_back({contact.clump, cost_of_a_rib_contact});
     dealt_ribs_ = geogrid_->ribs().position;
   }
-  domain_->deal(engine, costs);
+  domain_->deal(engine, costs,
+                geogrid_ ? costs_of_parts(*geogrid_) : std::vector<dem::PlaceCost>());
   if (geogrid_) {
     ribs.restore(std::move(side));
     ribs.choose_geogrid_ranks();
@@ -133,10 +134,12 @@ std::vector<RankTimes> World::times() const
   return all;
 }
 
-// The motion of the geogrid, from the first rank, where some have not moved it. Its ribs are where
-// they are now on all of them.
+// The motion of the geogrid, from those that have moved it. Its ribs are where they are now on all
+// ranks.
 void World::receive_geogrid()
 {
+  ribs.complete_geogrid();
+  geogrid_->hold_all();
   geogrid_->refresh_ribs();
   if (ribs.all_move_geogrid()) return;
   dem::Bytes bytes;
@@ -150,13 +153,15 @@ void World::receive_geogrid()
   ribs.exchange_step(reader);
 }
 
+// Every rank that moves it looks at what it moves.
 bool World::geogrid_has_moved() const
 {
-  if (!geogrid_ || domain_->ranks().rank() > 0) return false;
+  if (!geogrid_ || !ribs.moves_geogrid()) return false;
   const dem::VectorField& x = geogrid_->ribs().position;
   double moved = 0; // square
-  for (int e = 0; e < x.size(); ++e)
-    moved = std::max(moved, dem::Vector3(x[e] - dealt_ribs_[e]).squaredNorm());
+  for (const dem::EndRange& ends : geogrid_->ribs().present_ends())
+    for (int e = ends.begin; e < std::min(ends.end, x.size()); ++e)
+      moved = std::max(moved, dem::Vector3(x[e] - dealt_ribs_[e]).squaredNorm());
   const double room = domain_->room();
   if (moved > room * room)
     throw std::runtime_error("The geogrid moved too far before the ranks could agree to deal the "

@@ -157,6 +157,7 @@ private:
   // A rank looks at its part, and all ranks end when one of them fails.
   void check()
   {
+    world().complete_geogrid();
     std::string failure;
     try {
       check_physics(world(), experiment_.limits());

@@ -23,6 +23,15 @@ constexpr int cost_of_a_clump = 3;
 // Clumps are dealt anew when one will have gone that share of its way in so many steps, at the
 // speed that it has: two pass until all ranks know.
 constexpr double usable = 0.95, notice_steps = 4;
+
+// Position, attitude, velocity and spin of the step.
+std::vector<double*> numbers_of_ghosts(Clumps& clumps)
+{
+  VectorField &x = clumps.position, &v = clumps.step_velocity, &w = clumps.step_spin;
+  QuaternionField& q = clumps.orientation;
+  return {x.row(0), x.row(1), x.row(2), q.row(0), q.row(1), q.row(2), q.row(3),
+          v.row(0), v.row(1), v.row(2), w.row(0), w.row(1), w.row(2)};
+}
 } // namespace
 
 // Who touches a clump later is near it now: both may move by the room. On the rank that moves a
@@ -58,7 +67,8 @@ void Domain::lay_cells(const Clumps& clumps)
 
 // By what the clumps in them cost.
 void Domain::share_out_cells(const Clumps& clumps, const ContactMemory& contacts,
-                             const std::vector<ClumpCost>& besides)
+                             const std::vector<ClumpCost>& besides,
+                             const std::vector<PlaceCost>& elsewhere)
 {
   std::vector<int> of_clump(clumps.size(), cost_of_a_clump);
   const auto add = [&](std::int64_t id, int cost = 1) {
@@ -72,6 +82,7 @@ void Domain::share_out_cells(const Clumps& clumps, const ContactMemory& contacts
   for (int i = 0; i < clumps.size(); ++i)
     if (clumps.ghost[i] == 0) cost[grid_.cell_of(clumps.position[i])] += of_clump[i];
   if (!whole_) cost = ranks_.sum(cost);
+  for (const PlaceCost& c : elsewhere) cost[grid_.cell_of(c.place)] += c.cost;
   if (!owner_.empty()) {
     std::vector<double> of_rank(ranks_.size(), 0.);
     for (int cell = 0; cell < grid_.size(); ++cell) of_rank[owner_[cell]] += cost[cell];
@@ -81,11 +92,12 @@ void Domain::share_out_cells(const Clumps& clumps, const ContactMemory& contacts
   owner_ = partition(grid_, cost, ranks_.size());
 }
 
-void Domain::deal(Engine& engine, const std::vector<ClumpCost>& besides)
+void Domain::deal(Engine& engine, const std::vector<ClumpCost>& besides,
+                  const std::vector<PlaceCost>& elsewhere)
 {
   if (whole_) lay_cells(engine.clumps());
   ContactMemory memory = engine.memory();
-  share_out_cells(engine.clumps(), memory, besides);
+  share_out_cells(engine.clumps(), memory, besides, elsewhere);
   if (whole_)
     deal_whole(engine, std::move(memory));
   else
@@ -123,9 +135,9 @@ void Domain::deal_parts(Engine& engine, const ContactMemory& memory)
 {
   const Clumps& clumps = engine.clumps();
   std::vector<Parcel> parcels(ranks_.size());
-  const auto owner_of = [&](std::int64_t id) {
+  const auto owner_of_clump = [&](std::int64_t id) {
     const int i = clumps.index_of(id);
-    return owner_[grid_.cell_of(clumps.position[i])];
+    return owner_of(clumps.position[i]);
   };
   const auto is_ours = [&](std::int64_t id) { return clumps.ghost[clumps.index_of(id)] == 0; };
   for (int i = 0; i < clumps.size(); ++i) {
@@ -139,17 +151,17 @@ void Domain::deal_parts(Engine& engine, const ContactMemory& memory)
   // A contact is remembered on the ranks of both clumps; the one that had the first sends it.
   for (const PairMemory& c : memory.pairs) {
     if (!is_ours(c.first)) continue;
-    for (const int rank : std::set<int>{owner_of(c.first), owner_of(c.second)})
+    for (const int rank : std::set<int>{owner_of_clump(c.first), owner_of_clump(c.second)})
       parcels[rank].contacts.pairs.push_back(c);
   }
   for (const WallMemory& c : memory.walls)
-    if (is_ours(c.clump)) parcels[owner_of(c.clump)].contacts.walls.push_back(c);
+    if (is_ours(c.clump)) parcels[owner_of_clump(c.clump)].contacts.walls.push_back(c);
   for (const MeshMemory& c : memory.meshes)
-    if (is_ours(c.clump)) parcels[owner_of(c.clump)].contacts.meshes.push_back(c);
+    if (is_ours(c.clump)) parcels[owner_of_clump(c.clump)].contacts.meshes.push_back(c);
   for (const RollingMemory& c : memory.rolling) {
     if (!is_ours(c.first)) continue;
-    std::set<int> ranks = {owner_of(c.first)};
-    if (c.kind == 0) ranks.insert(owner_of(c.second));
+    std::set<int> ranks = {owner_of_clump(c.first)};
+    if (c.kind == 0) ranks.insert(owner_of_clump(c.second));
     for (const int rank : ranks) parcels[rank].contacts.rolling.push_back(c);
   }
 
@@ -180,7 +192,7 @@ void Domain::gather(Engine& engine)
 // told.
 void Domain::connect(const Clumps& clumps)
 {
-  Halo::ClumpsOfRanks ghosts_there, ghosts_here;
+  Halo::EntriesOfRanks ghosts_there, ghosts_here;
   for (int i = 0; i < clumps.size(); ++i) {
     const Place place = place_of(clumps, i);
     if (clumps.ghost[i] == 1)
@@ -188,7 +200,19 @@ void Domain::connect(const Clumps& clumps)
     else
       for (const int rank : place.copies) ghosts_there[rank].push_back(i);
   }
-  halo_.connect(ghosts_there, ghosts_here);
+  constexpr int numbers = 13;
+  halo_.connect(ghosts_there, ghosts_here, numbers);
+}
+
+void Domain::refresh(Engine& engine)
+{
+  Clumps& clumps = engine.clumps();
+  halo_.refresh(numbers_of_ghosts(clumps));
+  // Lists go by these.
+  for (const int i : halo_.copies()) {
+    clumps.velocity[i] = clumps.step_velocity[i];
+    clumps.spin[i] = clumps.step_spin[i];
+  }
 }
 
 bool Domain::has_expired(const Engine& engine, double dt) const

@@ -26,11 +26,17 @@ struct ClumpCost {
   int cost = 0;
 };
 
+// What the owner of a place has to do besides [m].
+struct PlaceCost {
+  Vector3 place;
+  int cost = 0;
+};
+
 class Domain
 {
 public:
   // At first the engine of every rank has everything. `ranks` must outlive this object.
-  explicit Domain(const Ranks& ranks) : ranks_(ranks), halo_(ranks.comm()) {}
+  explicit Domain(const Ranks& ranks) : ranks_(ranks), halo_(ranks.comm(), 1) {}
 
   // Whether every rank has everything, none of it a ghost, as on one rank.
   bool is_whole() const { return whole_; }
@@ -40,10 +46,12 @@ public:
 
   // Gives every clump to the rank that owns its cell, with what its contacts remember, and copies
   // to the ranks that own cells near it. Cells are first shared out anew, by the clumps in them,
-  // their contacts and `besides`, if that has become uneven. To be called when ghosts are as their
+  // their contacts, `besides` and `elsewhere`, if that has become uneven; `elsewhere` is the same
+  // on all ranks. To be called when ghosts are as their
   // originals are. Collective, as all that follow but has_expired(). Throws std::runtime_error when
   // METIS cannot divide the cells.
-  void deal(Engine& engine, const std::vector<ClumpCost>& besides = {});
+  void deal(Engine& engine, const std::vector<ClumpCost>& besides = {},
+            const std::vector<PlaceCost>& elsewhere = {});
   // Gives everything to every rank.
   void gather(Engine& engine);
 
@@ -51,8 +59,11 @@ public:
   // `dt` [s]. Throws std::runtime_error when a clump has been too fast for that.
   bool has_expired(const Engine& engine, double dt) const;
 
+  // The rank that a place belongs to since the last deal [m].
+  int owner_of(const Vector3& place) const { return owner_[grid_.cell_of(place)]; }
+
   // Poses and the step's motion of all ghosts, from the ranks that move them.
-  void refresh(Engine& engine) { halo_.refresh(engine.clumps()); }
+  void refresh(Engine& engine);
 
 private:
   // Where a clump goes: who moves it, and who needs a copy, ascending.
@@ -63,7 +74,8 @@ private:
   Place place_of(const Clumps& clumps, int clump) const;
   void lay_cells(const Clumps& clumps);
   void share_out_cells(const Clumps& clumps, const ContactMemory& contacts,
-                       const std::vector<ClumpCost>& besides);
+                       const std::vector<ClumpCost>& besides,
+                       const std::vector<PlaceCost>& elsewhere);
   void deal_whole(Engine& engine, ContactMemory memory);
   void deal_parts(Engine& engine, const ContactMemory& memory);
   void connect(const Clumps& clumps);

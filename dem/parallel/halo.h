@@ -1,7 +1,6 @@
-// The halo of a rank: its copies of clumps that other ranks move, and theirs of its own.
+// The halo of a rank: its copies of what other ranks move (clumps, ends of ribs), and theirs of its
+// own.
 #pragma once
-
-#include "dem/bodies/clumps.h"
 
 #include <mpi.h>
 
@@ -13,31 +12,35 @@ namespace interlock::dem
 class Halo
 {
 public:
-  // Indices of clumps by rank; those of one rank ascend.
-  using ClumpsOfRanks = std::map<int, std::vector<int>>;
+  // Indices by rank, in arrays with an entry for each of all that this rank knows; those of one
+  // rank ascend.
+  using EntriesOfRanks = std::map<int, std::vector<int>>;
 
-  explicit Halo(MPI_Comm comm) : comm_(comm) {}
+  // Halos whose messages may be under way at the same time have different tags.
+  Halo(MPI_Comm comm, int tag) : comm_(comm), tag_(tag) {}
   ~Halo();
   Halo(const Halo&) = delete;
   Halo& operator=(const Halo&) = delete;
 
-  // From now on `there` are the clumps of this rank that others have copies of, and `here` the
-  // copies that this one has, by the rank that moves them. What one rank says of another must be
-  // what that one says of it, in the same order. Sends nothing.
-  void connect(const ClumpsOfRanks& there, const ClumpsOfRanks& here);
+  // From now on `there` are the entries of this rank that others have copies of, and `here` the
+  // copies that this one has, by the rank that moves them; `numbers` for each. What one rank says
+  // of another must be what that one says of it, in the same order. Sends nothing.
+  void connect(const EntriesOfRanks& there, const EntriesOfRanks& here, int numbers);
 
-  // Copies position [m], attitude, and velocity [m/s] and spin [rad/s] of the last step (world) of
-  // all of them. Collective among neighbours.
-  void refresh(Clumps& clumps);
+  // Copies the numbers of all of them, one from each of the arrays. Collective among neighbours.
+  void refresh(const std::vector<double*>& arrays);
+
+  const std::vector<int>& copies() const { return from_.entries; }
 
 private:
   void disconnect();
 
   MPI_Comm comm_;
-  // The clumps of all neighbours, one behind the other, and messages.
+  int tag_;
+  // The entries of all neighbours, one behind the other, and messages.
   struct Neighbours {
     std::vector<int> ranks, lengths, begins; // in numbers
-    std::vector<int> clumps;
+    std::vector<int> entries;
     std::vector<double> numbers;
   };
   Neighbours to_, from_;

@@ -65,6 +65,12 @@ double Ranks::sum_of(double mine) const
   return mine;
 }
 
+void Ranks::largest(std::vector<double>& numbers) const
+{
+  MPI_Allreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, MPI_MAX,
+                comm_);
+}
+
 double Ranks::largest(double mine) const
 {
   MPI_Allreduce(MPI_IN_PLACE, &mine, 1, MPI_DOUBLE, MPI_MAX, comm_);

@@ -25,6 +25,8 @@ public:
   std::vector<int> sum(std::vector<int> mine) const;
   void sum(std::vector<double>& numbers) const;
   double sum_of(double mine) const;
+  // The largest of all ranks, entry by entry.
+  void largest(std::vector<double>& numbers) const;
   double largest(double mine) const;
   // Sends `to`[r] to each rank r, this one too, and returns what each rank has sent here. Empty
   // messages cost nothing but their length.

@@ -54,10 +54,9 @@ void RibContacts::renumber_clumps(const std::vector<int>& new_index)
 
 void RibContacts::update_list(const Clumps& clumps, const RibSet& ribs, double time_step)
 {
-  double thickest = 0;
-  for (int r = 0; r < ribs.size(); ++r) thickest = std::max(thickest, ribs.shape(r).half_thickness);
   // Whoever select_near may choose must be in the list.
-  if (!valid_ || !watch_.holds(clumps, ribs, near_steps * time_step, near_margin * thickest)) {
+  if (!valid_ || !watch_.holds(clumps, ribs, near_steps * time_step,
+                               near_margin * ribs.largest_half_thickness())) {
     build(clumps, ribs, time_step);
     valid_ = true;
   }
@@ -145,15 +144,12 @@ void RibContacts::build(const Clumps& clumps, const RibSet& ribs, double time_st
   contacts_.clear();
   candidates_.clear();
 
-  const std::vector<Rib> rods = ribs.all();
   RibSearch::Box around;
   double fastest = 0;
-  for (const Rib& rod : rods) {
-    const Vector3 reach = Vector3::Constant(section_reach(rod));
-    for (const Vector3& x : rod.x) around.extend(x - reach), around.extend(x + reach);
-  }
-  for (int r = 0; r < ribs.size(); ++r)
+  for (const int r : ribs.present()) {
+    around.extend(RibSearch::box_around(ribs[r], 0));
     fastest = std::max(fastest, largest_speed(ribs, ribs.shape(r)));
+  }
   ScalarField room;
   room.resize(clumps.size());
   for (int i = 0; i < clumps.size(); ++i) {
@@ -169,11 +165,11 @@ void RibContacts::build(const Clumps& clumps, const RibSet& ribs, double time_st
   }
   skin_ = std::clamp(2 * fastest * time_step * list_steps, smallest_skin, largest_skin);
 
-  const RibSearch search(rods, skin_);
+  const RibSearch search(ribs, skin_);
   for (int i = 0; i < clumps.size(); ++i) {
     if (room[i] >= skin_) continue;
     room[i] = skin_;
-    add_candidates(i, clumps, rods, search);
+    add_candidates(i, clumps, ribs, search);
   }
   watch_.begin(clumps, ribs, std::move(room));
   pairs_.resize(0); // entries beyond the last one are filler
@@ -196,7 +192,7 @@ void RibContacts::build(const Clumps& clumps, const RibSet& ribs, double time_st
 
 // Of the member spheres of clump i. Ribs are ordered by line, so the candidates of one line follow
 // one another.
-void RibContacts::add_candidates(int i, const Clumps& clumps, const std::vector<Rib>& ribs,
+void RibContacts::add_candidates(int i, const Clumps& clumps, const RibSet& ribs,
                                  const RibSearch& search)
 {
   const auto ball = [](const Vector3& x, double radius) {
@@ -215,9 +211,10 @@ void RibContacts::add_candidates(int i, const Clumps& clumps, const std::vector<
     for (const int r : close_ribs_) {
       if (!search.box(r).intersects(box)) continue;
       if (rib_proximity(ribs[r], centre, spheres[a].radius).overlap < -skin_) continue;
-      if (contacts_.size() == before || key(contacts_.back()) != std::tie(i, a, ribs[r].line)) {
+      const int line = ribs.shape(r).line;
+      if (contacts_.size() == before || key(contacts_.back()) != std::tie(i, a, line)) {
         RibContact contact;
-        contact.i = i, contact.a = a, contact.line = ribs[r].line;
+        contact.i = i, contact.a = a, contact.line = line;
         contact.radius = spheres[a].radius;
         contact.first = contact.last = static_cast<int>(candidates_.size());
         contacts_.push_back(contact);

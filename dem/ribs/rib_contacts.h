@@ -92,8 +92,7 @@ private:
   };
 
   void build(const Clumps& clumps, const RibSet& ribs, double time_step);
-  void add_candidates(int clump, const Clumps& clumps, const std::vector<Rib>& ribs,
-                      const RibSearch& search);
+  void add_candidates(int clump, const Clumps& clumps, const RibSet& ribs, const RibSearch& search);
   void select_near(const Clumps& clumps, const RibSet& ribs, double time_step);
   void fill_lanes(const Clumps& clumps, const RibSet& ribs);
   bool may_touch(const RibContact& contact, double clump_speed, const RibSet& ribs,

@@ -22,14 +22,18 @@ INTERLOCK_LANE double half_turn_squared(LaneQuaternion from, LaneQuaternion to)
 }
 
 // Of numbers that are not negative. One maximum a lane: the compiler may not reorder a single one.
-double largest(const ScalarField& field)
+double largest(const ScalarField& field, const std::vector<EndRange>& ranges)
 {
-  double most[lane_width] = {};
+  double most[lane_width] = {}, rest = 0;
   const double* number = field.row(0);
-  for (int i = 0; i < field.padded_size(); i += lane_width)
-    for (int l = 0; l < lane_width; ++l)
-      most[l] = number[i + l] > most[l] ? number[i + l] : most[l];
-  return *std::max_element(most, most + lane_width);
+  for (const EndRange& range : ranges) {
+    int i = range.begin;
+    for (; i + lane_width <= range.end; i += lane_width)
+      for (int l = 0; l < lane_width; ++l)
+        most[l] = number[i + l] > most[l] ? number[i + l] : most[l];
+    for (; i < range.end; ++i) rest = std::max(rest, number[i]);
+  }
+  return std::max(rest, *std::max_element(most, most + lane_width));
 }
 } // namespace
 
@@ -54,19 +58,20 @@ double RibListWatch::largest_way(const RibSet& ribs, double ahead)
   double* __restrict turn = turn_.row(0);
   double* __restrict speed = speed_.row(0);
   double* __restrict spin = spin_.row(0);
-  const int n = way_.padded_size();
+  const std::vector<EndRange>& there = ribs.present_ends();
+  for (const EndRange& range : there) {
+    const std::int64_t end = range.end;
 #pragma GCC ivdep
-  for (std::int64_t e = 0; e < n; ++e) {
-    way[e] = square(x.get(e) - x0.get(e));
-    turn[e] = half_turn_squared(q0.get(e), q.get(e));
-    speed[e] = square(v.get(e));
-    spin[e] = square(w.get(e));
+    for (std::int64_t e = range.begin; e < end; ++e) {
+      way[e] = square(x.get(e) - x0.get(e));
+      turn[e] = half_turn_squared(q0.get(e), q.get(e));
+      speed[e] = square(v.get(e));
+      spin[e] = square(w.get(e));
+    }
   }
-  double reach = 0; // of a point of a section from the centre line, or more
-  for (int r = 0; r < ribs.size(); ++r)
-    reach = std::max(reach, ribs.shape(r).half_width + ribs.shape(r).half_thickness);
-  return std::sqrt(largest(way_)) + ahead * std::sqrt(largest(speed_)) +
-         reach * (2 * std::sqrt(largest(turn_)) + ahead * std::sqrt(largest(spin_)));
+  const double reach = ribs.largest_half_girth(); // of a point of a section from the centre line
+  return std::sqrt(largest(way_, there)) + ahead * std::sqrt(largest(speed_, there)) +
+         reach * (2 * std::sqrt(largest(turn_, there)) + ahead * std::sqrt(largest(spin_, there)));
 }
 
 bool RibListWatch::holds(const Clumps& clumps, const RibSet& ribs, double ahead, double margin)

@@ -14,19 +14,19 @@ template <class Point> boost::geometry::model::box<Point> box_of(const RibSearch
 }
 } // namespace
 
-double section_reach(const Rib& rib)
+RibSearch::Box RibSearch::box_around(const Rib& rib, double margin)
 {
-  return std::sqrt(rib.half_width * rib.half_width + rib.half_thickness * rib.half_thickness);
+  const double half_diagonal = std::hypot(rib.half_width, rib.half_thickness);
+  const Vector3 grown = Vector3::Constant(half_diagonal + margin);
+  return {rib.x[0].cwiseMin(rib.x[1]) - grown, rib.x[0].cwiseMax(rib.x[1]) + grown};
 }
 
-RibSearch::RibSearch(const std::vector<Rib>& ribs, double margin)
+RibSearch::RibSearch(const RibSet& ribs, double margin) : boxes_(ribs.size())
 {
   std::vector<Entry> entries;
-  for (const Rib& rib : ribs) {
-    const Vector3 grown = Vector3::Constant(section_reach(rib) + margin);
-    const Box box(rib.x[0].cwiseMin(rib.x[1]) - grown, rib.x[0].cwiseMax(rib.x[1]) + grown);
-    entries.emplace_back(box_of<Point>(box), static_cast<int>(boxes_.size()));
-    boxes_.push_back(box);
+  for (const int r : ribs.present()) {
+    boxes_[r] = box_around(ribs[r], margin);
+    entries.emplace_back(box_of<Point>(boxes_[r]), r);
   }
   tree_ = decltype(tree_)(entries); // made at once: packed
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dem/bodies/clumps.h"
-#include "dem/ribs/ribs.h"
+#include "dem/ribs/rib_set.h"
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -15,17 +15,16 @@
 
 namespace interlock::dem
 {
-// Half the diagonal of a rib's section [m].
-double section_reach(const Rib& rib);
-
 class RibSearch
 {
 public:
   using Box = Eigen::AlignedBox3d;
 
-  // Takes the ribs where they are, each in a box that is larger than it by `margin` [m] on all
-  // sides.
-  RibSearch(const std::vector<Rib>& ribs, double margin);
+  // Around a rib and everything nearer to it than `margin` [m].
+  static Box box_around(const Rib& rib, double margin);
+
+  // Takes the ribs that are present where they are, each in a box with this margin [m].
+  RibSearch(const RibSet& ribs, double margin);
 
   const Box& box(int rib) const { return boxes_[rib]; }
   // The ribs whose boxes touch this one, ascending.
@@ -35,7 +34,7 @@ private:
   using Point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
   using Entry = std::pair<boost::geometry::model::box<Point>, int>;
 
-  std::vector<Box> boxes_;
+  std::vector<Box> boxes_; // empty for ribs that are not present
   boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>> tree_;
 };
 } // namespace interlock::dem

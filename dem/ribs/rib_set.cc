@@ -1,11 +1,15 @@
 #include "dem/ribs/rib_set.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace interlock::dem
 {
 RibSet::RibSet(std::vector<RibShape> shapes, int n_ends) : shapes_(std::move(shapes))
 {
   for (VectorField* field : {&position, &velocity, &spin}) field->resize(n_ends);
   rotation.resize(n_ends);
+  measure();
 }
 
 RibSet::RibSet(const std::vector<Rib>& rods)
@@ -27,6 +31,42 @@ RibSet::RibSet(const std::vector<Rib>& rods)
     }
     shapes_.push_back(shape);
   }
+  measure();
+}
+
+std::vector<Rib> RibSet::all() const
+{
+  std::vector<Rib> ribs;
+  for (int r = 0; r < size(); ++r) ribs.push_back((*this)[r]);
+  return ribs;
+}
+
+void RibSet::measure()
+{
+  for (const RibShape& s : shapes_) {
+    largest_half_thickness_ = std::max(largest_half_thickness_, s.half_thickness);
+    largest_half_girth_ = std::max(largest_half_girth_, s.half_width + s.half_thickness);
+  }
+  set_all_present();
+}
+
+void RibSet::set_all_present()
+{
+  set_present_ends({{0, position.padded_size()}}); // whole registers
+}
+
+void RibSet::set_present_ends(std::vector<EndRange> ends)
+{
+  present_ends_ = std::move(ends);
+  present_.clear();
+  for (int r = 0; r < size(); ++r) {
+    const int first = shape(r).first_end;
+    // The range that begins last up to there.
+    const auto next =
+        std::upper_bound(present_ends_.begin(), present_ends_.end(), first,
+                         [](int end, const EndRange& range) { return end < range.begin; });
+    if (next != present_ends_.begin() && first + 1 < std::prev(next)->end) present_.push_back(r);
+  }
 }
 
 Rib RibSet::operator[](int r) const
@@ -46,12 +86,5 @@ Rib RibSet::operator[](int r) const
     rib.width_axis[end] = rotation[e] * s.width_axis[end];
   }
   return rib;
-}
-
-std::vector<Rib> RibSet::all() const
-{
-  std::vector<Rib> ribs;
-  for (int r = 0; r < size(); ++r) ribs.push_back((*this)[r]);
-  return ribs;
 }
 } // namespace interlock::dem

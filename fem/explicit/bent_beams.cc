@@ -56,11 +56,11 @@ Wide larger_eigenvalue(const Wide& a, const Wide& d, const Wide& q)
 } // namespace
 
 double BentBeams::largest(const BeamLanes& beams, const Lanes3& position, const Lanes4& orientation,
-                          int n) const
+                          const std::vector<int>& blocks) const
 {
   using std::experimental::max, std::experimental::min, std::experimental::sqrt;
   Wide largest = 0.;
-  for (int s = 0; s < n; s += wide_lanes) {
+  for (const int s : blocks) {
     const BeamConstants<Wide> beam = load_constants(beams, s);
     const BeamStrains<Wide> strains = beam_strains(load_ends(position, orientation, s), beam);
     const Triple<Wide>&g = strains.gamma, &k = strains.kappa;

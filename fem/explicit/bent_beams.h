@@ -33,10 +33,10 @@ public:
   void resize(std::size_t size);
   void set(int slot, const Lattice& lattice, int e, const std::vector<NodeInertia>& nodes,
            bool spherical, bool rbf);
-  // The largest of all elements in slots 0 ... n - 1, n a multiple of the number of lanes; 0 where
-  // all are straight [1/s2].
+  // The largest of all elements in these blocks of lanes, given by their first slots; 0 where all
+  // are straight [1/s2].
   double largest(const BeamLanes& beams, const Lanes3& position, const Lanes4& orientation,
-                 int n) const;
+                 const std::vector<int>& blocks) const;
 
 private:
   Lane stretch_, shear_, bend_, moment_; // a, d_s, d_b [1/s2], 1/(2 J) [1/(kg m2)]

@@ -51,6 +51,7 @@ ExplicitDynamics::ExplicitDynamics(const Lattice& lattice, const DynamicsOptions
   size_lanes();
   fill_beam_constants();
   fill_node_constants();
+  move_all_blocks();
   for (int s = 0; s < n_slots_; ++s)
     for (int c = 0; c < 3; ++c) position_[c][s] = lattice_.reference_position(slot_node_[s])[c];
 }
@@ -58,10 +59,8 @@ ExplicitDynamics::ExplicitDynamics(const Lattice& lattice, const DynamicsOptions
 void ExplicitDynamics::number_slots()
 {
   node_slot_.assign(lattice_.n_nodes(), -1);
-  std::vector<std::vector<int>> slots_of_node(lattice_.n_nodes());
   const auto add_slot = [&](int node) {
     if (node_slot_[node] < 0) node_slot_[node] = n_slots_;
-    slots_of_node[node].push_back(n_slots_);
     slot_node_.push_back(node);
     ++n_slots_;
   };
@@ -71,8 +70,15 @@ void ExplicitDynamics::number_slots()
     element_slot_.push_back(n_slots_ - 1);
     add_slot(element.node[1]);
   }
-  for (const std::vector<int>& slots : slots_of_node)
+  for (const std::vector<int>& slots : slots_of_nodes())
     if (slots.size() > 1) junction_slots_.push_back(slots);
+}
+
+std::vector<std::vector<int>> ExplicitDynamics::slots_of_nodes() const
+{
+  std::vector<std::vector<int>> slots(lattice_.n_nodes());
+  for (int s = 0; s < n_slots_; ++s) slots[slot_node_[s]].push_back(s);
+  return slots;
 }
 
 void ExplicitDynamics::size_lanes()
@@ -86,8 +92,10 @@ void ExplicitDynamics::size_lanes()
   };
   clear_all(position_, velocity_, spin_, angular_momentum_, orientation_, inertia_,
             inverse_inertia_, load_force_, load_torque_, beam_force_, beam_torque1_, beam_torque2_,
-            force_, torque_);
-  for (Lane* lane : {&mass_, &inverse_mass_, &clamped_, &counts_}) clear(*lane);
+            force_, torque_, clamp_force_);
+  for (Lane* lane :
+       {&mass_, &inverse_mass_, &clamped_, &counts_, &clamp_work_, &load_work_, &damping_loss_})
+    clear(*lane);
   std::fill(orientation_[0].begin(), orientation_[0].end(), 1.);
   beams_.resize(size);
   bent_.resize(size);
@@ -125,10 +133,9 @@ void ExplicitDynamics::fill_node_constants()
 
 void ExplicitDynamics::clear_loads()
 {
-  for (int c = 0; c < 3; ++c) {
-    std::fill(load_force_[c].begin(), load_force_[c].end(), 0.);
-    std::fill(load_torque_[c].begin(), load_torque_[c].end(), 0.);
-  }
+  for (const int s : loaded_slots_)
+    for (int c = 0; c < 3; ++c) load_force_[c][s] = load_torque_[c][s] = 0;
+  loaded_slots_.clear();
 }
 
 void ExplicitDynamics::add_nodal_load(int node, const Eigen::Vector3d& force,
@@ -139,6 +146,7 @@ void ExplicitDynamics::add_nodal_load(int node, const Eigen::Vector3d& force,
     load_force_[c][node_slot_[node]] += force[c];
     load_torque_[c][node_slot_[node]] += moment[c];
   }
+  loaded_slots_.push_back(node_slot_[node]);
 }
 
 void ExplicitDynamics::clamp(const std::vector<int>& nodes)
@@ -175,6 +183,19 @@ void ExplicitDynamics::step(double h)
   previous_step_ = h;
 }
 
+Eigen::Vector3d ExplicitDynamics::clamp_reaction() const
+{
+  Eigen::Vector3d sum(0, 0, 0);
+  for (int s = 0; s < n_slots_; ++s) sum += vector_at(clamp_force_, s);
+  return sum;
+}
+
+LatticeExtremes ExplicitDynamics::extremes(bool with_bends) const
+{
+  return {largest_force_, largest_plastic_stretch_,
+          with_bends ? bent_.largest(beams_, position_, orientation_, moved_) : 0};
+}
+
 SectionForces ExplicitDynamics::section_forces(int e) const
 {
   const int s = element_slot_[e];
@@ -196,13 +217,14 @@ LatticeState ExplicitDynamics::state() const
   if (softens_)
     for (int e = 0; e < lattice_.n_elements(); ++e)
       state.plastic_stretch.push_back(plastic_stretch(e));
+  const auto of_slots = [this](const Lane& lane) {
+    return std::vector<double>(lane.begin(), lane.begin() + n_slots_);
+  };
+  state.clamp_work = of_slots(clamp_work_);
+  state.load_work = of_slots(load_work_);
+  state.damping_loss = of_slots(damping_loss_);
   state.previous_step = previous_step_;
-  state.clamp_work = clamp_work_;
-  state.load_work = load_work_;
-  state.damping_loss = damping_loss_;
   state.largest_force = largest_force_;
-  state.clamp_reaction = clamp_reaction_;
-  state.damping_force = damping_force_;
   return state;
 }
 
@@ -218,6 +240,13 @@ void ExplicitDynamics::set_state(const LatticeState& state)
   if (softens_)
     require_size(state.plastic_stretch.size(), lattice_.n_elements(), "plastic stretch",
                  "elements");
+  const auto to_slots = [this](const std::vector<double>& from, const char* name, Lane& lane) {
+    require_size(from.size(), n_slots_, name, "slots");
+    std::copy(from.begin(), from.end(), lane.begin());
+  };
+  to_slots(state.clamp_work, "clamp work", clamp_work_);
+  to_slots(state.load_work, "load work", load_work_);
+  to_slots(state.damping_loss, "damping loss", damping_loss_);
   for (int s = 0; s < n_slots_; ++s) {
     const int node = slot_node_[s];
     const Eigen::Quaterniond& q = state.orientation[node];
@@ -236,11 +265,6 @@ void ExplicitDynamics::set_state(const LatticeState& state)
     largest_plastic_stretch_ = std::max(largest_plastic_stretch_, state.plastic_stretch[e]);
   }
   previous_step_ = state.previous_step;
-  clamp_work_ = state.clamp_work;
-  load_work_ = state.load_work;
-  damping_loss_ = state.damping_loss;
   largest_force_ = state.largest_force;
-  clamp_reaction_ = state.clamp_reaction;
-  damping_force_ = state.damping_force;
 }
 } // namespace interlock::fem

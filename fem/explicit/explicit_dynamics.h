@@ -43,21 +43,27 @@ struct LatticeEnergies {
   }
 };
 
+// What the stable step of a lattice goes by: maxima over its elements, so those of its parts make
+// that of the whole.
+struct LatticeExtremes {
+  double force = 0;           // at the last step [N]
+  double plastic_stretch = 0; // [-]
+  double bend = 0;            // BentBeams::largest [1/s2]
+};
+
 // Everything that a restart needs; one entry a node, world frame. `angular_momentum` is empty with
 // spherical inertia. `plastic_stretch` has one entry an element and is empty where no rib softens
-// or yields.
+// or yields. Work is kept slot by slot, since the start [J].
 struct LatticeState {
-  std::vector<Eigen::Vector3d> position;                  // [m]
-  std::vector<Eigen::Quaterniond> orientation;            // unit, rotation from the unloaded state
-  std::vector<Eigen::Vector3d> velocity;                  // half a step back [m/s]
-  std::vector<Eigen::Vector3d> spin;                      // half a step back [rad/s]
-  std::vector<Eigen::Vector3d> angular_momentum;          // half a step back [kg m2/s]
-  std::vector<double> plastic_stretch;                    // up to the last step's start [-]
-  double previous_step = 0;                               // [s]
-  double clamp_work = 0, load_work = 0, damping_loss = 0; // [J]
-  double largest_force = 0;                               // of any element at the last step [N]
-  Eigen::Vector3d clamp_reaction{0, 0, 0};                // in the last step [N]
-  Eigen::Vector3d damping_force{0, 0, 0};                 // the same [N]
+  std::vector<Eigen::Vector3d> position;                   // [m]
+  std::vector<Eigen::Quaterniond> orientation;             // unit, rotation from the unloaded state
+  std::vector<Eigen::Vector3d> velocity;                   // half a step back [m/s]
+  std::vector<Eigen::Vector3d> spin;                       // half a step back [rad/s]
+  std::vector<Eigen::Vector3d> angular_momentum;           // half a step back [kg m2/s]
+  std::vector<double> plastic_stretch;                     // up to the last step's start [-]
+  std::vector<double> clamp_work, load_work, damping_loss; // one entry a slot [J]
+  double previous_step = 0;                                // [s]
+  double largest_force = 0;                                // of any element at the last step [N]
 };
 
 template <class Archive> void exchange(Archive& archive, LatticeState& state)
@@ -68,18 +74,17 @@ template <class Archive> void exchange(Archive& archive, LatticeState& state)
   archive("spin", state.spin, "rad/s");
   archive("angular_momentum", state.angular_momentum, "kg m2/s");
   archive("plastic_stretch", state.plastic_stretch);
-  archive("previous_step", state.previous_step, "s");
   archive("clamp_work", state.clamp_work, "J");
   archive("load_work", state.load_work, "J");
   archive("damping_loss", state.damping_loss, "J");
+  archive("previous_step", state.previous_step, "s");
   archive("largest_force", state.largest_force, "N");
-  archive("clamp_reaction", state.clamp_reaction, "N");
-  archive("damping_force", state.damping_force, "N");
 }
 
 // Steps the lattice. Each step takes the loads and the clamp velocity that were set before it. All
 // vectors are in the world frame. Accessors give positions at the present time t and velocities at
-// t - h/2. Sums run in an order fixed by the lattice, so equal input gives equal digits.
+// t - h/2. Sums run in an order fixed by the lattice, so equal input gives equal digits, also where
+// several processes have a part of it each.
 //
 // Storage: every rib vertex has a slot, in the order of the lines; the slots of a junction always
 // hold the same values. Neighbours along a rib are then neighbours in memory and vector lanes need
@@ -123,6 +128,7 @@ public:
   // element goes from its first slot to the next one.
   int n_slots() const { return n_slots_; }
   int first_slot(int e) const { return element_slot_[e]; }
+  std::vector<std::vector<int>> slots_of_nodes() const; // ascending
   const Lanes3& slot_positions() const { return position_; }
   const Lanes3& slot_velocities() const { return velocity_; }
   const Lanes3& slot_spins() const { return spin_; }
@@ -148,6 +154,7 @@ public:
       load_torque_[c][s] += (1 - xi) * moment[c];
       load_torque_[c][s + 1] += xi * moment[c];
     }
+    loaded_slots_.insert(loaded_slots_.end(), {s, s + 1});
   }
 
   // The same at one end (0 or 1).
@@ -158,6 +165,7 @@ public:
       load_force_[c][s] += force[c];
       load_torque_[c][s] += moment[c];
     }
+    loaded_slots_.push_back(s);
   }
 
   // Adds a force [N] and a moment [N m] at a node.
@@ -172,28 +180,51 @@ public:
   void set_clamp_velocity(const Eigen::Vector3d& velocity) { clamp_velocity_ = velocity; }
   // Force that the clamp exerted on the lattice in the last step, inertia of the clamped nodes
   // included: sum of mass * acceleration minus all other forces on them [N].
-  Eigen::Vector3d clamp_reaction() const { return clamp_reaction_; }
+  Eigen::Vector3d clamp_reaction() const;
+  // That force node by node: one entry a slot, zero where the slot is free or another slot of the
+  // same node has it [N].
+  const Lanes3& slot_clamp_forces() const { return clamp_force_; }
 
   // --- Time -------------------------------------------------------------------------------------
   // Advances by h [s]. The first step after the start kicks by h/2 only, which puts the velocities
   // half a step back.
   void step(double h);
 
-  // Largest stable step without contacts [s] in the present shape, see BeamFrequency, BentBeams:
-  // costs as much as a step. Without the bends of the elements it costs nothing.
-  double stable_step() const
+  // Largest stable step without contacts [s] in the present shape, see BeamFrequency, BentBeams.
+  double stable_step() const { return stable_step(extremes(true)); }
+  double stable_step(const LatticeExtremes& of) const
   {
-    return frequency_.stable_step(largest_force_, largest_plastic_stretch_,
-                                  bent_.largest(beams_, position_, orientation_, n_padded_));
+    return frequency_.stable_step(of.force, of.plastic_stretch, of.bend);
   }
-  double stable_step_without_bends() const
+  // Of the elements that are moved here. The bends, zero if they are not asked for, cost as much as
+  // a step; the rest costs nothing.
+  LatticeExtremes extremes(bool with_bends) const;
+
+  // --- A part of the lattice, where several processes step it together ---------------------------
+  // Slots are moved in blocks of so many, one behind the other; block b begins with slot b times
+  // that.
+  static int slots_of_block();
+  int n_blocks() const { return n_padded_ / slots_of_block(); }
+  // From now on step() moves the slots of these blocks only, ascending; at first it moves all. The
+  // caller keeps the motion of border_slots() up to date, and everything that is asked for by node
+  // or element is right where the caller has brought it here. Digits are those of the whole.
+  void move_blocks(const std::vector<int>& blocks);
+  void move_all_blocks();
+  // Slots that are not moved here and lie on elements which load those that are; ascending.
+  const std::vector<int>& border_slots() const { return border_slots_; }
+  // What extremes() says from now on, until the next step: where the rest of the lattice has come
+  // here from other processes.
+  void set_extremes(const LatticeExtremes& of)
   {
-    return frequency_.stable_step(largest_force_, largest_plastic_stretch_);
+    largest_force_ = of.force;
+    largest_plastic_stretch_ = of.plastic_stretch;
   }
+  // Arrays with an entry for each slot: its motion (position [m], velocity [m/s], spin [rad/s],
+  // orientation w x y z), 13 of them; and everything that step() changes and needs again.
+  std::vector<double*> motion_rows();
+  std::vector<double*> all_rows();
 
   LatticeEnergies energies() const;
-  // Force of mass damping on all free nodes in the last step [N].
-  Eigen::Vector3d damping_force() const { return damping_force_; }
   // Internal forces of an element for output, in its mid frame.
   SectionForces section_forces(int e) const;
   // Stretch that stays when an element is unloaded [-]; history up to the start of the last step.
@@ -235,6 +266,8 @@ private:
   template <Tension tension> double elastic_energy(double time_back) const;
   double plastic_loss(double time_back) const;
 
+  int block_of(int slot) const { return slot / slots_of_block(); }
+
   Lattice lattice_;
   DynamicsOptions options_;
   std::vector<NodeInertia> nodes_;
@@ -248,6 +281,10 @@ private:
   int n_slots_ = 0, n_padded_ = 0;
   std::vector<int> element_slot_, node_slot_, slot_node_;
   std::vector<std::vector<int>> junction_slots_;
+
+  // What is stepped here: first slots of the blocks that are moved, and of others with elements
+  // that load them; junctions with slots among those.
+  std::vector<int> moved_, border_, border_slots_, junctions_;
 
   // State, one entry a slot.
   Lanes3 position_, velocity_, spin_, angular_momentum_;
@@ -263,12 +300,14 @@ private:
 
   // Loads: applied, of elements on their first and second ends, total.
   Lanes3 load_force_, load_torque_;
+  std::vector<int> loaded_slots_; // with repetitions
   Lanes3 beam_force_, beam_torque1_, beam_torque2_;
   Lanes3 force_, torque_;
 
   bool all_clamped_ = false;
-  Eigen::Vector3d clamp_velocity_{0, 0, 0}, clamp_reaction_{0, 0, 0}, damping_force_{0, 0, 0};
+  Eigen::Vector3d clamp_velocity_{0, 0, 0};
+  Lanes3 clamp_force_;                         // in the last step
+  Lane clamp_work_, load_work_, damping_loss_; // since the start
   double previous_step_ = 0;
-  double clamp_work_ = 0, load_work_ = 0, damping_loss_ = 0;
 };
 } // namespace interlock::fem

@@ -3,6 +3,8 @@
 #include "fem/explicit/explicit_dynamics.h"
 #include "fem/explicit/wide_beams.h"
 
+#include <numeric>
+
 namespace interlock::fem
 {
 // Strain energy at the positions `time_back` before the present ones, along the present velocities.
@@ -77,9 +79,12 @@ LatticeEnergies ExplicitDynamics::energies() const
   } else {
     energies.elastic = centred([&](double t) { return elastic_energy<Tension::linear>(t); });
   }
-  energies.clamp_work = clamp_work_;
-  energies.load_work = load_work_;
-  energies.damping_loss = damping_loss_;
+  const auto sum = [this](const Lane& work) {
+    return std::accumulate(work.begin(), work.begin() + n_slots_, 0.);
+  };
+  energies.clamp_work = sum(clamp_work_);
+  energies.load_work = sum(load_work_);
+  energies.damping_loss = sum(damping_loss_);
   return energies;
 }
 } // namespace interlock::fem

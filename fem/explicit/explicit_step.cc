@@ -40,22 +40,26 @@ Triple<Wide> spin_of(const Triple<Wide>& momentum, const std::array<Wide, 6>& in
 template <Tension tension> [[gnu::flatten]] void ExplicitDynamics::compute_element_loads()
 {
   Wide largest = 0., largest_plastic = 0.; // force squared, stretch
-  for (int s = 0; s < n_padded_; s += wide_lanes) {
-    const BeamConstants<Wide> beam = load_constants(beams_, s);
-    const BeamStrains<Wide> strains = beam_strains(load_ends(position_, orientation_, s), beam);
-    BeamEndLoads<Wide> loads = end_loads<tension>(strains, beam);
-    drop_gaps(beam.inverse_length, loads.force1);
-    drop_gaps(beam.inverse_length, loads.torque1);
-    drop_gaps(beam.inverse_length, loads.torque2);
-    largest = max(largest, dot(loads.force1, loads.force1));
-    store_wide(loads.force1, beam_force_, s + wide_lanes);
-    store_wide(loads.torque1, beam_torque1_, s + wide_lanes);
-    store_wide(loads.torque2, beam_torque2_, s + wide_lanes);
-    if constexpr (tension == Tension::softening) {
-      std::array<Wide, 1> plastic{fem::plastic_stretch(strains, beam)};
-      drop_gaps(beam.inverse_length, plastic);
-      largest_plastic = max(largest_plastic, plastic[0]);
-      store_wide(plastic[0], beams_.plastic_stretch.data() + s);
+  for (const std::vector<int>* blocks : {&border_, &moved_}) {
+    // In border blocks elements that nobody needs here have ends that stay behind.
+    largest = largest_plastic = 0.;
+    for (const int s : *blocks) {
+      const BeamConstants<Wide> beam = load_constants(beams_, s);
+      const BeamStrains<Wide> strains = beam_strains(load_ends(position_, orientation_, s), beam);
+      BeamEndLoads<Wide> loads = end_loads<tension>(strains, beam);
+      drop_gaps(beam.inverse_length, loads.force1);
+      drop_gaps(beam.inverse_length, loads.torque1);
+      drop_gaps(beam.inverse_length, loads.torque2);
+      largest = max(largest, dot(loads.force1, loads.force1));
+      store_wide(loads.force1, beam_force_, s + wide_lanes);
+      store_wide(loads.torque1, beam_torque1_, s + wide_lanes);
+      store_wide(loads.torque2, beam_torque2_, s + wide_lanes);
+      if constexpr (tension == Tension::softening) {
+        std::array<Wide, 1> plastic{fem::plastic_stretch(strains, beam)};
+        drop_gaps(beam.inverse_length, plastic);
+        largest_plastic = max(largest_plastic, plastic[0]);
+        store_wide(plastic[0], beams_.plastic_stretch.data() + s);
+      }
     }
   }
   largest_force_ = std::sqrt(hmax(largest));
@@ -67,26 +71,27 @@ template void ExplicitDynamics::compute_element_loads<Tension::softening>();
 
 void ExplicitDynamics::sum_at_slots(bool with_elements)
 {
-  for (int s = 0; s < n_padded_; s += wide_lanes) {
-    for (int c = 0; c < 3; ++c) {
-      Wide force = load_wide(load_force_[c].data() + s);
-      Wide torque = load_wide(load_torque_[c].data() + s);
-      if (with_elements) {
-        const int here = s + wide_lanes; // the beam that starts here; the one before it ends here
-        force +=
-            load_wide(beam_force_[c].data() + here) - load_wide(beam_force_[c].data() + here - 1);
-        torque += load_wide(beam_torque1_[c].data() + here) +
-                  load_wide(beam_torque2_[c].data() + here - 1);
+  for (const std::vector<int>* blocks : {&border_, &moved_})
+    for (const int s : *blocks)
+      for (int c = 0; c < 3; ++c) {
+        Wide force = load_wide(load_force_[c].data() + s);
+        Wide torque = load_wide(load_torque_[c].data() + s);
+        if (with_elements) {
+          const int here = s + wide_lanes; // the beam that starts here; the one before it ends here
+          force +=
+              load_wide(beam_force_[c].data() + here) - load_wide(beam_force_[c].data() + here - 1);
+          torque += load_wide(beam_torque1_[c].data() + here) +
+                    load_wide(beam_torque2_[c].data() + here - 1);
+        }
+        store_wide(force, force_[c].data() + s);
+        store_wide(torque, torque_[c].data() + s);
       }
-      store_wide(force, force_[c].data() + s);
-      store_wide(torque, torque_[c].data() + s);
-    }
-  }
 }
 
 void ExplicitDynamics::sum_at_junctions()
 {
-  for (const std::vector<int>& slots : junction_slots_)
+  for (const int junction : junctions_) {
+    const std::vector<int>& slots = junction_slots_[junction];
     for (int c = 0; c < 3; ++c) {
       double force = 0, torque = 0;
       for (const int s : slots) {
@@ -98,18 +103,18 @@ void ExplicitDynamics::sum_at_junctions()
         torque_[c][s] = torque;
       }
     }
+  }
 }
 
 // Velocities over `kick` from force and torque, positions over `h` from the new velocities. Work is
-// force times mean velocity times `kick`, which accounts for the kinetic energy exactly.
+// force times mean velocity times `kick`, which accounts for the kinetic energy exactly. It is kept
+// slot by slot: so its sum does not depend on who moves which slots.
 template <bool spherical> void ExplicitDynamics::update_nodes(double kick, double h)
 {
   const double half_damping = 0.5 * options_.mass_damping * kick;
   const double keep = 1 - half_damping, slow = 1 / (1 + half_damping);
-  Triple<Wide> reaction{0., 0., 0.}, damping{0., 0., 0.};
-  Wide clamp_power = 0., load_power = 0., damping_power = 0.;
-
-  for (int s = 0; s < n_padded_; s += wide_lanes) {
+  for (const int s : moved_) {
+    Wide clamp_power = 0., load_power = 0., damping_power = 0.;
     const Wide mass = load_wide(mass_.data() + s),
                inverse_mass = load_wide(inverse_mass_.data() + s);
     const Wide counts = load_wide(counts_.data() + s);
@@ -128,10 +133,9 @@ template <bool spherical> void ExplicitDynamics::update_nodes(double kick, doubl
       const Wide mean = 0.5 * (before + after);
       const Wide pull = clamp_counts * (mass * (after - before) * (1 / kick) - force);
       const Wide drag = free_counts * options_.mass_damping * mass * mean;
-      reaction[c] += pull;
+      store_wide(pull, clamp_force_[c].data() + s);
       clamp_power += pull * mean;
       load_power += load_force[c] * mean;
-      damping[c] -= drag;
       damping_power += drag * mean;
       velocity[c] = after;
       position[c] += h * after;
@@ -164,15 +168,13 @@ template <bool spherical> void ExplicitDynamics::update_nodes(double kick, doubl
     }
     store_wide(new_spin, spin_, s);
     store_wide(turned(q, {h * new_spin[0], h * new_spin[1], h * new_spin[2]}), orientation_, s);
+    const auto add_work = [&](Lane& work, const Wide& power) {
+      store_wide(load_wide(work.data() + s) + kick * power, work.data() + s);
+    };
+    add_work(clamp_work_, clamp_power);
+    add_work(load_work_, load_power);
+    add_work(damping_loss_, damping_power);
   }
-
-  for (int c = 0; c < 3; ++c) {
-    clamp_reaction_[c] = reduce(reaction[c]);
-    damping_force_[c] = reduce(damping[c]);
-  }
-  clamp_work_ += kick * reduce(clamp_power);
-  load_work_ += kick * reduce(load_power);
-  damping_loss_ += kick * reduce(damping_power);
 }
 
 template void ExplicitDynamics::update_nodes<true>(double, double);

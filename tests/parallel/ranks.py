@@ -11,7 +11,8 @@ CASES is one of
     FILE     a parameter file, on each number of ranks
 
 Ranks deal their stones anew at every 500th step besides (random cases: every 50th to never), so that this happens
-in short runs, too.
+in short runs, too. Pull-outs on two and on most ranks are run again with the geogrid's lattice shared out among the
+ranks, which only large ones are otherwise.
 """
 import argparse
 import json
@@ -52,9 +53,9 @@ FIXED = [
 ]
 
 
-def environment(deal_every):
+def environment(deal_every, lattice_in_parts):
     values = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", INTERLOCK_DEAL_EVERY=str(deal_every),
-                  OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                  INTERLOCK_WHOLE_LATTICE_UP_TO="0" if lattice_in_parts else "2000", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                   OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_btl_vader_single_copy_mechanism="none",
                   OMPI_MCA_btl_base_warn_component_unused="0", OMPI_MCA_hwloc_base_binding_policy="none",
                   OMPI_MCA_mpi_yield_when_idle="1")
@@ -65,6 +66,7 @@ class Runner:
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
         self.deal_every = 500  # steps
+        self.lattice_in_parts = False
 
     def run(self, name, case, entries, ranks, options=(), stop_after=None):
         """Returns the exit code; after `stop_after` seconds the run is told to stop."""
@@ -74,7 +76,7 @@ class Runner:
             command += ["--set", entry]
         told_to_stop = False
         with open(self.folder / (name + ".log"), "a") as log:
-            process = subprocess.Popen(command, stdout=log, stderr=log, env=environment(self.deal_every),
+            process = subprocess.Popen(command, stdout=log, stderr=log, env=environment(self.deal_every, self.lattice_in_parts),
                                        cwd=self.folder)
             try:
                 code = process.wait(timeout=stop_after)
@@ -126,13 +128,16 @@ def on_each_number(runner, cases, numbers):
             yield f"{name}: 1 rank: FAILED, exit code {code}", False
             continue
         yield f"{name}: 1 rank, {time.time() - begin:.1f} s, state_hash {hash_of(runner.folder / 'one')}", True
-        for ranks in numbers:
+        in_parts = [(n, True) for n in sorted({min(numbers), max(numbers)})] if case == SMALL else []
+        for ranks, runner.lattice_in_parts in [(n, False) for n in numbers] + in_parts:
             begin = time.time()
             code = runner.run("several", case, entries, ranks)
             verdict = runner.verdict("one", "several", code)
-            yield f"{name}: {ranks} ranks, {time.time() - begin:.1f} s: {verdict}", verdict == "same"
+            way = ", lattice in parts" if runner.lattice_in_parts else ""
+            yield f"{name}: {ranks} ranks{way}, {time.time() - begin:.1f} s: {verdict}", verdict == "same"
             runner.forget("several")
         runner.forget("one")
+        runner.lattice_in_parts = False
 
 
 def stopped_and_resumed(runner, name, case, entries, numbers, moments):
@@ -193,6 +198,7 @@ def random_runs(runner, seed, tries, minutes, numbers):
             continue
         ranks = [chance.choice(numbers), *(chance.choice(numbers + [1]) for _ in range(chance.randint(0, 3)))]
         runner.deal_every = chance.choice([50, 200, 500, 2000, 0])
+        runner.lattice_in_parts = chance.choice([False, True])
         if code == 3:
             several = runner.run("several", case, entries, ranks[0])
             verdict = runner.verdict("one", "several", several) if code == 0 else (

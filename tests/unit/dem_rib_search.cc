@@ -33,7 +33,7 @@ TEST(RibSearch, FindsThoseWhoseBoxesMeetThePlace)
   constexpr double margin = 3e-4;
   for (const int count : {1, 7, 400}) {
     const std::vector<Rib> ribs = rods(count, random);
-    const RibSearch search(ribs, margin);
+    const RibSearch search(RibSet(ribs), margin);
     int found_at_all = 0;
     for (int n = 0; n < 500; ++n) {
       const Vector3 centre = somewhere(random);
@@ -55,20 +55,37 @@ TEST(RibSearch, BoxesHoldTheRodsAndTheirMargin)
   RandomStream random(6);
   constexpr double margin = 2e-4;
   const std::vector<Rib> ribs = rods(50, random);
-  const RibSearch search(ribs, margin);
+  const RibSearch search(RibSet(ribs), margin);
   for (std::size_t r = 0; r < ribs.size(); ++r)
     for (int n = 0; n < 100; ++n) {
       const double xi = random.uniform(0, 1);
       const Vector3 on_line = (1 - xi) * ribs[r].x[0] + xi * ribs[r].x[1];
-      const Vector3 outside = (section_reach(ribs[r]) + margin) * random.direction();
+      const Vector3 outside =
+          (std::hypot(ribs[r].half_width, ribs[r].half_thickness) + margin) * random.direction();
       EXPECT_TRUE(search.box(static_cast<int>(r)).contains(on_line + outside));
     }
 }
 
 TEST(RibSearch, WithoutRibsFindsNone)
 {
-  const RibSearch search({}, 1e-3);
+  const RibSearch search(RibSet(), 1e-3);
   std::vector<int> found = {3};
   search.find(RibSearch::Box(Vector3::Constant(-1), Vector3::Constant(1)), found);
   EXPECT_TRUE(found.empty());
+}
+
+TEST(RibSearch, FindsPresentRibsOnly)
+{
+  RandomStream random(7);
+  RibSet ribs(rods(10, random));
+  // Each rod has two ends: the second one has lost one of them, and the range in the middle is
+  // short.
+  ribs.set_present_ends({{0, 3}, {8, 9}, {12, 18}});
+  EXPECT_EQ(ribs.present(), (std::vector<int>{0, 6, 7, 8}));
+  std::vector<int> found;
+  const RibSearch search(ribs, 1e-3);
+  search.find(RibSearch::Box(Vector3::Constant(-1), Vector3::Constant(1)), found);
+  EXPECT_EQ(found, ribs.present());
+  ribs.set_all_present();
+  EXPECT_EQ(ribs.present().size(), 10);
 }

@@ -85,6 +85,7 @@ TEST(ExplicitDynamics, LoadsDoTheWorkOfTheirPoint)
     LatticeState before = dynamics.state();
     before.previous_step = h; // a full kick
     dynamics.set_state(before);
+    const double work_before = dynamics.energies().load_work;
     struct Load {
       int e;
       double xi;
@@ -106,7 +107,7 @@ TEST(ExplicitDynamics, LoadsDoTheWorkOfTheirPoint)
     for (const Load& load : loads)
       power += load.force.dot(dynamics.velocity_at(load.e, load.xi)) +
                load.moment.dot(dynamics.spin_at(load.e, load.xi));
-    const double work = dynamics.energies().load_work - before.load_work;
+    const double work = dynamics.energies().load_work - work_before;
     EXPECT_NEAR(work, h * 0.5 * power, 1e-12 * h * size);
   }
 }
@@ -225,6 +226,65 @@ TEST(ExplicitDynamics, RestartKeepsEveryDigit)
     }
     EXPECT_EQ(first.clamp_reaction(), second.clamp_reaction());
     EXPECT_EQ(first.energies().ledger(), second.energies().ledger());
+  }
+}
+
+// Blocks are dealt to three integrators in turn, the worst case for borders; each gets the motion
+// of its border from those that move it. All of them must have, on what they move, the digits of
+// one that moves everything.
+TEST(ExplicitDynamics, PartsHaveTheDigitsOfTheWhole)
+{
+  for (const bool spherical : {true, false}) {
+    DynamicsOptions options;
+    options.spherical_inertia = spherical;
+    options.mass_damping = 20;
+    options.gravity = {0, 0, -9.81};
+    ExplicitDynamics whole(small_lattice(), options);
+    const auto prepare = [&](ExplicitDynamics& dynamics) {
+      dynamics.clamp({0, 1, 2});
+      dynamics.set_clamp_velocity({-0.1, 0, 0});
+      dynamics.add_load(3, 0.3, {0.1, 0.2, -0.1}, {1e-4, 0, 2e-4});
+      dynamics.add_nodal_load(7, {0, 0.1, 0}, {0, 0, 1e-4}); // at all slots, as everywhere
+    };
+    prepare(whole);
+    stir(whole, 0.5);
+    std::vector<ExplicitDynamics> parts;
+    constexpr int n = 3;
+    for (int p = 0; p < n; ++p) {
+      parts.emplace_back(small_lattice(), options);
+      prepare(parts[p]);
+      parts[p].set_state(whole.state());
+      std::vector<int> blocks;
+      for (int b = p; b < whole.n_blocks(); b += n) blocks.push_back(b);
+      parts[p].move_blocks(blocks);
+      EXPECT_FALSE(parts[p].border_slots().empty());
+    }
+    const int width = ExplicitDynamics::slots_of_block();
+    const auto mover = [&](int slot) { return slot / width % n; };
+    const double h = 0.5 * whole.stable_step();
+    for (int step = 0; step < 200; ++step) {
+      whole.step(h);
+      for (ExplicitDynamics& part : parts) part.step(h);
+      for (ExplicitDynamics& part : parts) {
+        const std::vector<double*> to = part.motion_rows();
+        for (const int s : part.border_slots()) {
+          const std::vector<double*> from = parts[mover(s)].motion_rows();
+          for (std::size_t r = 0; r < to.size(); ++r) to[r][s] = from[r][s];
+        }
+      }
+    }
+    const std::vector<double*> expected = whole.all_rows();
+    LatticeExtremes extremes;
+    for (int s = 0; s < whole.n_slots(); ++s)
+      for (std::size_t r = 0; r < expected.size(); ++r)
+        EXPECT_EQ(parts[mover(s)].all_rows()[r][s], expected[r][s]) << s << ' ' << r;
+    for (const ExplicitDynamics& part : parts) {
+      extremes.force = std::max(extremes.force, part.extremes(true).force);
+      extremes.bend = std::max(extremes.bend, part.extremes(true).bend);
+    }
+    EXPECT_EQ(extremes.force, whole.extremes(true).force);
+    EXPECT_EQ(extremes.bend, whole.extremes(true).bend);
+    EXPECT_NE(whole.energies().load_work, 0);
   }
 }
 

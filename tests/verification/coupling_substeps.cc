@@ -48,10 +48,10 @@ public:
   }
 
   int touching() const { return touching_; }
-  double bound(double dt) const
+  double bound(double dt)
   {
-    return dt / geogrid_.required_substeps(dt, geogrid_.contact_rates(contacts_),
-                                           contacts_.properties().damping_ratio);
+    const coupling::SubstepNeeds needs = geogrid_.substep_needs(geogrid_.contact_rates(contacts_));
+    return dt / geogrid_.required_substeps(dt, needs, contacts_.properties().damping_ratio);
   }
 
   // 2 / omega of the beams alone, and of the whole without dashpots [s].
