@@ -121,7 +121,7 @@ double ContactLanes::stored_energy(int k, const ContactProperties& pair) const
 {
   const LaneBlock& block = this->block(k);
   const int l = k % lane_width;
-  const double elastic = block.overlap[l] - block.crushed[l];
+  const double elastic = block.overlap[l] - (pair.crushing_pressure > 0 ? block.crushed[l] : 0);
   if (elastic <= 0) return 0;
   return dem::stored_energy(pair, elastic, block.reduced_radius[l],
                             get(block.spring, l).norm(), share(k));

@@ -91,7 +91,7 @@ std::vector<double> RibContacts::elastic_energies() const
 
 double RibContacts::elastic_energy(const RibContact& c) const
 {
-  const double elastic = c.overlap - c.history.crushed;
+  const double elastic = c.overlap - (contact_.crushing_pressure > 0 ? c.history.crushed : 0);
   if (elastic <= 0) return 0;
   return stored_energy(contact_, elastic, c.radius, c.history.spring.norm(), {});
 }
