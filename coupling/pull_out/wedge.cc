@@ -80,8 +80,7 @@ std::string name_of_line(const World& world, int line)
 
 std::string name_of(const World& world, Partner partner)
 {
-  if (partner.first == Kind::line)
-    return name_of_line(world, static_cast<int>(partner.second));
+  if (partner.first == Kind::line) return name_of_line(world, static_cast<int>(partner.second));
   if (partner.first == Kind::wall)
     return "the wall '" + world.engine.wall(partner.second).name + "'";
   return fmt::format("stone {}", partner.second);

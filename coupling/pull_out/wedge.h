@@ -1,4 +1,5 @@
-// Which stone carries a pull that stones should share: squeezed between two things that do not give.
+// Which stone carries a pull that stones should share: squeezed between two things that do not
+// give.
 #pragma once
 
 #include "coupling/loop/world.h"

@@ -96,7 +96,8 @@ std::vector<int> Clumps::remove(const std::vector<bool>& remove)
   compact(id, remove);
   compact(kind, remove);
   orientation.compact(remove);
-  for (ScalarField* field : {&mass, &inverse_mass, &member_reach_, &ghost, &lost_to_crushing}) field->compact(remove);
+  for (ScalarField* field : {&mass, &inverse_mass, &member_reach_, &ghost, &lost_to_crushing})
+    field->compact(remove);
   for (VectorField* field :
        {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum, &spin, &drift_velocity,
         &step_velocity, &step_spin, &force, &torque, &lost})

@@ -70,8 +70,8 @@ template <class Number> struct ShareOf {
 };
 using ContactShare = ShareOf<double>;
 
-// Energy in the springs of one contact [J]: normal elastic `overlap` > 0 [m], tangential `spring` [m]. The
-// share counts if contacts of this pair share anything.
+// Energy in the springs of one contact [J]: normal elastic `overlap` > 0 [m], tangential `spring`
+// [m]. The share counts if contacts of this pair share anything.
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
                      double spring, const ContactShare& share);
 
@@ -172,8 +172,8 @@ struct HertzMindlinLaw {
   }
 };
 
-// A law whose contacts keep a part of their overlap for good, so that the elastic force stays within
-// pressure times 2 pi R d, R: reduced radius, d: the whole overlap.
+// A law whose contacts keep a part of their overlap for good, so that the elastic force stays
+// within pressure times 2 pi R d, R: reduced radius, d: the whole overlap.
 template <class Law> struct Crushing : Law {
   explicit Crushing(const ContactProperties& p)
       : Law(p), limit_per_area(2 * M_PI * p.crushing_pressure)
@@ -217,9 +217,9 @@ using LaneEnergy = EnergyOf<double>;
 // dashpots dissipate the mean of their old and new force times the relative motion, friction the
 // mean spring force times the slip, and neither has an error of first order in the step. A contact
 // that has opened fades its last dashpot force over the part of the step in which it still touched,
-// and what its spring still holds is lost to friction. What crushes takes the mean of the old and the
-// new elastic force times the permanent overlap that is new; a contact that has been crushed opens
-// where its elastic part ends, and forgets when the surfaces part.
+// and what its spring still holds is lost to friction. What crushes takes the mean of the old and
+// the new elastic force times the permanent overlap that is new; a contact that has been crushed
+// opens where its elastic part ends, and forgets when the surfaces part.
 template <bool shared, class Law, class Number>
 INTERLOCK_LANE LaneVector<Number>
 contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
@@ -234,8 +234,7 @@ contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
   Number old_depth = history.overlap;
   if constexpr (Law::crushes) {
     old_depth = larger(history.overlap - history.crushed, zero);
-    const Number before = select(overlap > zero, history.crushed, zero),
-                 elastic = overlap - before;
+    const Number before = select(overlap > zero, history.crushed, zero), elastic = overlap - before;
     overlap = select(elastic > zero, law.elastic_part(whole, larger(elastic, zero), c), elastic);
     const Number now = select(elastic > overlap, whole - overlap, before),
                  old_force = law.at(old_depth, c).force,

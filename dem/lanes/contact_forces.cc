@@ -243,11 +243,12 @@ void evaluate_pairs(const BodyRecords& bodies, const ContactProperties& pair, do
   double* crushing = pair.crushing_pressure > 0 ? sums.crushing() : nullptr;
   with_law(pair, [&](auto shared, const auto& law) {
     using Law = std::decay_t<decltype(law)>;
-    run_stages<decltype(shared)::value>(
-        law, dt, blocks, n, place, [&](const LaneBlock& block, const LaneMoments& moments) {
-          add_pairs(block, moments, run, sums.data());
-          if constexpr (Law::crushes) add_crushing_of_pairs(block, moments, crushing);
-        });
+    run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
+                                        [&](const LaneBlock& block, const LaneMoments& moments) {
+                                          add_pairs(block, moments, run, sums.data());
+                                          if constexpr (Law::crushes)
+                                            add_crushing_of_pairs(block, moments, crushing);
+                                        });
   });
 }
 
@@ -268,11 +269,12 @@ void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, Co
   double* crushing = wall.contact.crushing_pressure > 0 ? sums.crushing() : nullptr;
   with_law(wall.contact, [&](auto shared, const auto& law) {
     using Law = std::decay_t<decltype(law)>;
-    run_stages<decltype(shared)::value>(
-        law, dt, blocks, n, place, [&](const LaneBlock& block, const LaneMoments& moments) {
-          add_at_wall(block, moments, on_stones, sums.data());
-          if constexpr (Law::crushes) add_crushing_at_wall(block, moments, crushing);
-        });
+    run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
+                                        [&](const LaneBlock& block, const LaneMoments& moments) {
+                                          add_at_wall(block, moments, on_stones, sums.data());
+                                          if constexpr (Law::crushes)
+                                            add_crushing_at_wall(block, moments, crushing);
+                                        });
   });
   Row parts[3];
   store(parts, on_stones);

@@ -123,8 +123,8 @@ double ContactLanes::stored_energy(int k, const ContactProperties& pair) const
   const int l = k % lane_width;
   const double elastic = block.overlap[l] - (pair.crushing_pressure > 0 ? block.crushed[l] : 0);
   if (elastic <= 0) return 0;
-  return dem::stored_energy(pair, elastic, block.reduced_radius[l],
-                            get(block.spring, l).norm(), share(k));
+  return dem::stored_energy(pair, elastic, block.reduced_radius[l], get(block.spring, l).norm(),
+                            share(k));
 }
 
 int count_touching(const ContactLanes& lanes)

@@ -139,9 +139,8 @@ void RibLanes::resize(int n)
   for (VectorField* field : {&centre, &spring, &dashpot, &point, &arm, &force, &push, &torque,
                              &rod_force1, &rod_force2, &rod_moment1, &rod_moment2})
     field->resize(n);
-  for (ScalarField* field :
-       {&radius, &depth, &overlap, &tangential_stiffness, &crushed, &xi, &elastic, &friction,
-        &damping, &crushing})
+  for (ScalarField* field : {&radius, &depth, &overlap, &tangential_stiffness, &crushed, &xi,
+                             &elastic, &friction, &damping, &crushing})
     field->resize(n);
 }
 
