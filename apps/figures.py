@@ -15,6 +15,7 @@ import csv
 import json
 import os
 import sys
+import textwrap
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import plain_matplotlib  # before Matplotlib
@@ -31,6 +32,7 @@ ENERGIES = {
     "gravitational": (COLOURS[0], "-"),
     "elastic_contacts": (COLOURS[2], "--"), "elastic_geogrid": (COLOURS[2], "-."),
     "friction": (COLOURS[1], "-"),
+    "crushing": (COLOURS[1], ":"),
     "contact_damping": (COLOURS[4], "--"), "local_damping": (COLOURS[3], "-."), "geogrid_damping": (COLOURS[4], ":"),
     "clamp_work": (COLOURS[6], "--"), "wall_work": (COLOURS[6], "-."), "inserted": (COLOURS[6], ":"),
 }
@@ -222,6 +224,15 @@ def shade_unusable(axes, part, colour, run):
                  linewidth=0, zorder=0, label=f"{run}, {label}" if run else label)
 
 
+def mark_wedge(axes, summary, colour, run):
+    """A line where a stone was first found wedged, and in the legend which one, between what; `run` in front of it."""
+    stone, start = find_result(summary, "wedged_stone"), find_result(summary, "wedged_from")
+    if stone is None or start is None:
+        return
+    text = textwrap.fill(f"{run + ', ' if run else ''}wedged from {float(start):.1f} mm on: {stone}", 62)
+    axes.axvline(float(start), color=colour, linewidth=1.0, linestyle=(0, (1, 1)), label=text)
+
+
 def draw_laboratory(axes, drawn):
     """Dotted line at the measured plateau of each of these surcharges [N]."""
     for load in drawn:
@@ -257,6 +268,7 @@ def force_figure(runs, labels, path, with_laboratory):
         part = unusable_part(summary)
         if part is not None:
             unusable.append((part, colour if several else "0.3", label if several else ""))
+        mark_wedge(axes, summary, colour if several else "0.3", label if several else "")
     axes.set_xlim(left=0, right=axes.dataLim.x1 or None)
     for part, colour, label in unusable:
         shade_unusable(axes, part, colour, label)

@@ -37,6 +37,11 @@ inline std::vector<Law> laws()
     law.pair.share_among_contacts = true;
     all.push_back(law);
   }
+  // Spheres of a reduced radius of about 2.5 mm crush at once, and at 0.1 mm.
+  linear.crushing_pressure = 3e5; // [Pa]
+  all.push_back({"LinearCrushing", linear});
+  all.push_back({"HertzMindlinCrushing", hertz});
+  all.back().pair.crushing_pressure = 5e4;
   return all;
 }
 

@@ -21,6 +21,7 @@ const NamedEntry table[] = {
     {"elastic_geogrid", &EnergyLedger::elastic_geogrid},
     {"friction", &EnergyLedger::friction},
     {"contact_damping", &EnergyLedger::contact_damping},
+    {"crushing", &EnergyLedger::crushing},
     {"local_damping", &EnergyLedger::local_damping},
     {"geogrid_damping", &EnergyLedger::geogrid_damping},
     {"clamp_work", &EnergyLedger::clamp_work},
@@ -36,7 +37,7 @@ double EnergyLedger::residual() const
 {
   const double stored =
       kinetic_stones + kinetic_geogrid + gravitational + elastic_contacts + elastic_geogrid;
-  const double dissipated = friction + contact_damping + local_damping + geogrid_damping;
+  const double dissipated = friction + contact_damping + crushing + local_damping + geogrid_damping;
   return stored + dissipated - clamp_work - wall_work - inserted;
 }
 
@@ -66,6 +67,7 @@ EnergyLedger ledger_of(const dem::EngineEnergy& stones)
   ledger.elastic_contacts = stones.contact.elastic;
   ledger.friction = stones.contact.friction;
   ledger.contact_damping = stones.contact.damping;
+  ledger.crushing = stones.contact.crushing;
   ledger.local_damping = stones.local_damping;
   ledger.wall_work = stones.wall_work;
   ledger.inserted = stones.inserted;

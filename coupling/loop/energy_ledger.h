@@ -26,6 +26,7 @@ struct EnergyLedger {
   double elastic_geogrid = 0;  // now, strain energy of the beams
   double friction = 0;         // dissipated by sliding
   double contact_damping = 0;  // dissipated by contact dashpots
+  double crushing = 0;         // dissipated where contacts crush
   double local_damping = 0;    // dissipated by local damping of stones while they settle
   double geogrid_damping = 0;  // dissipated by mass damping of the geogrid
   double clamp_work = 0;       // done by the clamp on the geogrid
@@ -61,6 +62,7 @@ template <class Archive> void exchange(Archive& archive, EnergyLedger& ledger)
   archive("elastic_geogrid", ledger.elastic_geogrid, "J");
   archive("friction", ledger.friction, "J");
   archive("contact_damping", ledger.contact_damping, "J");
+  archive("crushing", ledger.crushing, "J");
   archive("local_damping", ledger.local_damping, "J");
   archive("geogrid_damping", ledger.geogrid_damping, "J");
   archive("clamp_work", ledger.clamp_work, "J");

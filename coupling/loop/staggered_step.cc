@@ -137,6 +137,7 @@ void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
   load_lattice(rib_contacts_.evaluate(near_, geogrid_->ribs(), h, energy));
   rib_friction_.add(energy.friction);
   rib_damping_.add(energy.damping);
+  rib_crushing_.add(energy.crushing);
   rib_work_on_stones_.add(near_.move(h));
   {
     const Stopwatch watch(lattice_time);
@@ -199,7 +200,7 @@ void StaggeredStep::complete_geogrid() const
 
 void StaggeredStep::unite_sums()
 {
-  for (EnergySum* sum : {&rib_friction_, &rib_damping_, &rib_work_on_stones_})
+  for (EnergySum* sum : {&rib_friction_, &rib_damping_, &rib_crushing_, &rib_work_on_stones_})
     sum->unite([this](double mine) { return sum_of_parts(mine); });
 }
 
@@ -227,12 +228,14 @@ EnergyLedger StaggeredStep::ledger(double dt) const
   if (!geogrid_) return ledger;
 
   const double elastic = dem::order_free_sum(rib_contacts_.elastic_energies(), over_ranks());
-  const double friction = total(rib_friction_), damping = total(rib_damping_);
+  const double friction = total(rib_friction_), damping = total(rib_damping_),
+               crushing = total(rib_crushing_);
   ledger.elastic_contacts += elastic;
   ledger.friction += friction;
   ledger.contact_damping += damping;
+  ledger.crushing += crushing;
   ledger.interface_work_on_stones = total(rib_work_on_stones_);
-  ledger.interface_stored_and_lost = elastic + friction + damping + rib_energy_removed_;
+  ledger.interface_stored_and_lost = elastic + friction + damping + crushing + rib_energy_removed_;
   complete_geogrid();
   const fem::LatticeEnergies lattice = geogrid_->dynamics().energies();
   ledger.kinetic_geogrid = lattice.kinetic;

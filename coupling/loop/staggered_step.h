@@ -88,6 +88,7 @@ public:
     if (!Archive::reading) loop.unite_sums();
     archive("friction", loop.rib_friction_);
     archive("damping", loop.rib_damping_);
+    archive("crushing", loop.rib_crushing_);
     archive("inserted", loop.geogrid_inserted_, "J");
     archive("removed", loop.rib_energy_removed_, "J");
     archive("work_on_stones", loop.rib_work_on_stones_);
@@ -119,7 +120,7 @@ private:
   dem::RibContacts rib_contacts_;
   std::optional<GeogridRanks> geogrid_ranks_; // since the last deal
   // What contacts with ribs have taken, and done to stones, since the start [J].
-  EnergySum rib_friction_, rib_damping_, rib_work_on_stones_;
+  EnergySum rib_friction_, rib_damping_, rib_crushing_, rib_work_on_stones_;
   double geogrid_inserted_ = 0;                 // energy of the lattice when it was placed [J]
   double rib_energy_removed_ = 0;               // of contacts with ribs, gone with their stones [J]
   dem::SubcycledClumps near_;                   // the near clumps of rib_contacts_, in a step

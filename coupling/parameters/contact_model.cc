@@ -1,5 +1,7 @@
 #include "coupling/parameters/contact_model.h"
 
+#include "coupling/parameters/stone_contact.h"
+
 namespace interlock::coupling
 {
 void declare_contact_model(ParameterTable& table, ContactModelParameters& model)
@@ -17,11 +19,13 @@ void declare_contact_model(ParameterTable& table, ContactModelParameters& model)
       "Share among contacts", model.share_among_contacts,
       "Contacts of the same two stones (or of a stone and a wall) share one stiffness and "
       "one dashpot, so that neither grows with the number of spheres.");
+  declare_crushing(table, model.crushing_pressure);
 }
 
 void check_contact_model(const ContactModelParameters& model, const TimeParameters& time,
                          ParameterProblems& problems)
 {
+  check_crushing(model.crushing_pressure, model.share_among_contacts, problems);
   if (model.linear()) return;
   if (model.youngs_modulus <= 0)
     problems.add("Contact/Youngs modulus",
@@ -46,6 +50,7 @@ dem::ContactProperties contact_pair(const ContactModelParameters& model, double 
     pair.damping_ratio = model.damping_ratio;
   }
   pair.share_among_contacts = model.share_among_contacts;
+  pair.crushing_pressure = model.crushing_pressure;
   return pair;
 }
 

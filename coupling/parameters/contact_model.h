@@ -15,6 +15,7 @@ struct ContactModelParameters {
   double poisson_ratio = 0;          // hertz-mindlin [-]
   double damping_ratio = 0;          // dashpots, share of critical [-]
   bool share_among_contacts = false; // dem::ContactProperties
+  double crushing_pressure = 0;      // dem::ContactProperties [Pa]
 
   bool linear() const { return model == "linear"; }
 };

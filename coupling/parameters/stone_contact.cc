@@ -28,6 +28,23 @@ void declare_stone_contact(ParameterTable& table, StoneContactParameters& contac
       "Share among contacts", contact.share_among_contacts,
       "Contacts of the same two stones (or of a stone and a wall) share one stiffness and one "
       "dashpot, so that neither grows with the number of spheres.");
+  declare_crushing(table, contact.crushing_pressure);
+}
+
+void declare_crushing(ParameterTable& table, double& pressure)
+{
+  table.offer("Crushing pressure", pressure, 0, not_negative,
+              "Where the elastic force of a contact of a stone would pass this pressure times the "
+              "area of the cut, 2 pi R d, the stone crushes and keeps a part of the overlap d for "
+              "good; 0: never. Granite 3e8 to 7.5e8. [Pa]");
+}
+
+void check_crushing(double pressure, bool share_among_contacts, ParameterProblems& problems)
+{
+  if (pressure > 0 && share_among_contacts)
+    problems.add("Contact/Crushing pressure",
+                 "A contact that is shared cannot crush: set Crushing pressure = 0, or Share among "
+                 "contacts = false.");
 }
 
 double pair_friction(double given, double one, double other)
@@ -51,6 +68,7 @@ dem::ContactProperties stone_on_stone(const StoneContactParameters& c)
   dem::ContactProperties properties = linear_pair(
       c.stone_stiffness, c.stone_stiffness, c.stone_friction, c.tangential_ratio, c.damping_ratio);
   properties.share_among_contacts = c.share_among_contacts;
+  properties.crushing_pressure = c.crushing_pressure;
   return properties;
 }
 
@@ -61,6 +79,7 @@ dem::ContactProperties stone_on_box(const StoneContactParameters& c)
                   pair_friction(c.stone_on_box_friction, c.stone_friction, c.box_friction),
                   c.tangential_ratio, c.damping_ratio);
   properties.share_among_contacts = c.share_among_contacts;
+  properties.crushing_pressure = c.crushing_pressure;
   return properties;
 }
 } // namespace interlock::coupling

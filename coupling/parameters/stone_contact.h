@@ -2,6 +2,7 @@
 // The comment beside each member repeats the unit of the entry in the file.
 #pragma once
 
+#include "coupling/parameters/parameter_problems.h"
 #include "coupling/parameters/parameter_table.h"
 #include "dem/contacts/contact_law.h"
 
@@ -18,6 +19,7 @@ struct StoneContactParameters {
   double tangential_ratio = 0;       // k_t / k_n [-]
   double damping_ratio = 0;          // normal and tangential dashpot, share of critical [-]
   bool share_among_contacts = false; // ContactProperties, between stones and at walls
+  double crushing_pressure = 0;      // ContactProperties, of stones at whatever they touch [Pa]
 };
 
 const Range friction_range{0, 5, true}, pair_friction_range{-1, 5, true};
@@ -25,6 +27,11 @@ const Range damping_ratio_range{0, 1, true};
 
 // Opens the section Contact and declares every member of `contact`, which must outlive the table.
 void declare_stone_contact(ParameterTable& table, StoneContactParameters& contact);
+
+// Declares Crushing pressure in the section Contact, which is open, behind Share among contacts.
+void declare_crushing(ParameterTable& table, double& pressure);
+// A contact that is shared cannot crush.
+void check_crushing(double pressure, bool share_among_contacts, ParameterProblems& problems);
 
 // The friction of a pair: what was given for it, or, where that is negative, the smaller of the two
 // [-].

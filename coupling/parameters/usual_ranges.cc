@@ -42,6 +42,8 @@ const std::vector<Row>& table()
         "Contact/Normal stiffness"},
        {1e4, 1e12, stiffnesses}},
       {{"Contact/Youngs modulus"}, {1e6, 1e12, moduli}},
+      // Soft rock at a sharp corner to the hardness of quartz.
+      {{"Contact/Crushing pressure"}, {1e6, 1.5e10, moduli}},
       // Rubber to steel.
       {{"Geogrid/Youngs modulus", "Product/Youngs modulus along", "Product/Youngs modulus across"},
        {1e6, 1e12, moduli}},

@@ -18,7 +18,7 @@ namespace
 {
 using dem::Vector3;
 
-dem::ContactProperties stone_on_geogrid(const PullOutParameters& p)
+dem::ContactProperties elastic_stone_on_geogrid(const PullOutParameters& p)
 {
   const StoneContactParameters& stone = p.contact;
   const GeogridContactParameters& rib = p.geogrid_contact;
@@ -30,6 +30,14 @@ dem::ContactProperties stone_on_geogrid(const PullOutParameters& p)
   const dem::Elastic rock{std::numeric_limits<double>::infinity(), 0};
   return dem::hertz_mindlin_pair(rock, {p.geogrid.youngs_modulus, p.geogrid.poisson_ratio},
                                  friction, rib.damping_ratio);
+}
+
+// The limit is that of the stone: nothing is known here of how ribs are bruised.
+dem::ContactProperties stone_on_geogrid(const PullOutParameters& p)
+{
+  dem::ContactProperties pair = elastic_stone_on_geogrid(p);
+  pair.crushing_pressure = p.contact.crushing_pressure;
+  return pair;
 }
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "coupling/pull_out/pull_out_checks.h"
 
+#include "coupling/parameters/stone_contact.h"
 #include "coupling/parameters/stone_declarations.h"
 
 #include <algorithm>
@@ -116,6 +117,8 @@ std::vector<ParameterProblem> check_pull_out(const PullOutParameters& parameters
   check_ribs(parameters.geogrid, problems);
   check_surcharge(parameters.surcharge, parameters.box, problems);
   check_pull(parameters.pull, parameters.geogrid, problems);
+  check_crushing(parameters.contact.crushing_pressure, parameters.contact.share_among_contacts,
+                 problems);
   return problems.take();
 }
 } // namespace interlock::coupling

@@ -68,15 +68,20 @@ void describe_usability(const PullStage& pull, const PullOut& experiment, Summar
     std::string reason;
   };
   const double at_wall = experiment.displacement_of_rib_at_wall();
+  if (!pull.wedge.empty()) {
+    summary.results["wedged_stone"] = pull.wedge;
+    summary.results["wedged_from_mm"] = 1e3 * pull.wedged_from;
+  }
+  // Stones that crush are meant to be pressed in.
+  const bool crushes = experiment.parameters().contact.crushing_pressure > 0;
   const std::vector<Bound> bounds = {
       {pull.ledger_left_at, true,
        fmt::format("the energy ledger of the pull misses more than {:.2g} of the clamp's work",
                    ledger_bound)},
-      {pull.overlap_left_at, true,
-       fmt::format(
-           "a contact overlaps by more than {:.2g} of the mean radius of a sphere (a wedged "
-           "stone?)",
-           protocol::usable_overlap)},
+      {pull.overlap_left_at, !crushes,
+       fmt::format("a contact overlaps by more than {:.2g} of the mean radius of a sphere ({})",
+                   protocol::usable_overlap,
+                   pull.wedge.empty() ? "a wedged stone?" : "wedged: " + pull.wedge)},
       {pull.stretch_left_at, true,
        fmt::format("a rib is stretched by more than {:.2g} %, and ribs here never yield",
                    100 * protocol::usable_stretch)},

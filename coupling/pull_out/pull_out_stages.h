@@ -81,6 +81,8 @@ struct PullStage {
   // Displacements from which on bounds of a usable pull were left (protocol.h); negative: never.
   // The ledger may come back, the others count for good [m].
   double ledger_left_at = -1, overlap_left_at = -1, stretch_left_at = -1;
+  std::string wedge;      // wedged_stone() at the first record that finds one (wedge.h)
+  double wedged_from = 0; // displacement of that record [m]
 };
 
 void unite_notes(PullStage& stage, PullOut& experiment);
@@ -168,5 +170,7 @@ template <class Archive> void exchange(Archive& archive, PullStage& stage)
   archive("ledger_left_at", stage.ledger_left_at, "m");
   archive("overlap_left_at", stage.overlap_left_at, "m");
   archive("stretch_left_at", stage.stretch_left_at, "m");
+  archive("wedge", stage.wedge);
+  archive("wedged_from", stage.wedged_from, "m");
 }
 } // namespace interlock::coupling

@@ -1,5 +1,6 @@
 #include "coupling/pull_out/protocol.h"
 #include "coupling/pull_out/pull_out.h"
+#include "coupling/pull_out/wedge.h"
 #include "coupling/stones/soft_start.h"
 
 #include <fmt/format.h>
@@ -49,8 +50,12 @@ void note_bounds(PullStage& stage, const PullOut& experiment)
   const bool outside = std::abs(change.residual()) > ledger_bound * std::abs(change.clamp_work);
   if (!outside) stage.ledger_left_at = -1;
   mark(stage.ledger_left_at, outside && stage.displacement > protocol::filter_length);
-  mark(stage.overlap_left_at,
-       stage.largest_overlap > protocol::usable_overlap * experiment.mean_sphere_radius);
+  const double overlap_bound = protocol::usable_overlap * experiment.mean_sphere_radius;
+  mark(stage.overlap_left_at, stage.largest_overlap > overlap_bound);
+  if (stage.overlap_left_at >= 0 && stage.wedge.empty()) {
+    stage.wedge = wedged_stone(experiment.world(), overlap_bound);
+    stage.wedged_from = stage.displacement;
+  }
   mark(stage.stretch_left_at, stage.largest_stretch > protocol::usable_stretch);
 }
 

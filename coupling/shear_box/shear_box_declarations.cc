@@ -1,6 +1,7 @@
 #include "coupling/shear_box/shear_box_declarations.h"
 
 #include "coupling/parameters/filling_declarations.h"
+#include "coupling/parameters/stone_contact.h"
 #include "coupling/parameters/stone_declarations.h"
 
 namespace interlock::coupling
@@ -91,6 +92,8 @@ std::vector<ParameterProblem> check_shear_box(const ShearBoxParameters& paramete
   check_box(parameters, problems);
   check_load(parameters, problems);
   check_shear(parameters, problems);
+  check_crushing(parameters.contact.crushing_pressure, parameters.contact.share_among_contacts,
+                 problems);
   return problems.take();
 }
 } // namespace interlock::coupling

@@ -82,6 +82,7 @@ int Clumps::add(int new_shape, double density, const Vector3& x, const Quaternio
   for (VectorField* zero : {&velocity, &angular_momentum, &spin, &drift_velocity, &step_velocity,
                             &step_spin, &force, &torque, &lost})
     zero->push_back(Vector3::Zero());
+  lost_to_crushing.push_back(0 * one);
   return size() - 1;
 }
 
@@ -95,7 +96,8 @@ std::vector<int> Clumps::remove(const std::vector<bool>& remove)
   compact(id, remove);
   compact(kind, remove);
   orientation.compact(remove);
-  for (ScalarField* field : {&mass, &inverse_mass, &member_reach_, &ghost}) field->compact(remove);
+  for (ScalarField* field : {&mass, &inverse_mass, &member_reach_, &ghost, &lost_to_crushing})
+    field->compact(remove);
   for (VectorField* field :
        {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum, &spin, &drift_velocity,
         &step_velocity, &step_spin, &force, &torque, &lost})
@@ -112,6 +114,7 @@ ClumpState Clumps::state_of(int i) const
   state.drift_velocity = drift_velocity[i], state.spin = spin[i];
   state.step_velocity = step_velocity[i], state.step_spin = step_spin[i];
   state.force = force[i], state.torque = torque[i], state.lost = lost[i];
+  state.lost_to_crushing = lost_to_crushing[i];
   state.is_ghost = ghost[i] == 1;
   return state;
 }
@@ -121,7 +124,7 @@ void Clumps::assign(const std::vector<ClumpState>& states)
   const int n = static_cast<int>(states.size());
   id.resize(n), shape.resize(n), kind.resize(n);
   orientation.resize(n);
-  for (ScalarField* field : {&mass, &inverse_mass, &ghost}) field->resize(n);
+  for (ScalarField* field : {&mass, &inverse_mass, &ghost, &lost_to_crushing}) field->resize(n);
   for (VectorField* field :
        {&inertia, &inverse_inertia, &position, &velocity, &angular_momentum, &spin, &drift_velocity,
         &step_velocity, &step_spin, &force, &torque, &lost})
@@ -137,6 +140,7 @@ void Clumps::assign(const std::vector<ClumpState>& states)
     drift_velocity[i] = s.drift_velocity, spin[i] = s.spin;
     step_velocity[i] = s.step_velocity, step_spin[i] = s.step_spin;
     force[i] = s.force, torque[i] = s.torque, lost[i] = s.lost;
+    lost_to_crushing[i] = s.lost_to_crushing;
   }
   derive_from_shapes();
 }
@@ -184,7 +188,7 @@ void Clumps::validate() const
         &step_velocity, &step_spin, &force, &torque, &lost})
     require(field->size() == n, "their arrays differ in length");
   require(mass.size() == n && inverse_mass.size() == n && orientation.size() == n &&
-              member_reach_.size() == n,
+              member_reach_.size() == n && lost_to_crushing.size() == n,
           "their arrays differ in length");
   for (int i = 0; i < n; ++i) {
     const std::string who = "clump " + std::to_string(id[i]);

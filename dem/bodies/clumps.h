@@ -24,6 +24,7 @@ struct ClumpState {
   Quaternion orientation;
   Vector3 velocity, angular_momentum, drift_velocity, spin, step_velocity, step_spin, force, torque;
   Vector3 lost;
+  double lost_to_crushing = 0;
   bool is_ghost = false;
 };
 
@@ -109,6 +110,8 @@ public:
   // that the sums over all do not depend on who shares them.
   enum Loss { to_friction, to_damping, to_local_damping };
   VectorField lost;
+  // Likewise, to what contacts crushed [J].
+  ScalarField lost_to_crushing;
 
   template <class Archive> friend void exchange(Archive& archive, Clumps& clumps)
   {
@@ -132,6 +135,7 @@ public:
     archive("force", clumps.force, "N");
     archive("torque", clumps.torque, "N m");
     archive("lost", clumps.lost, "J");
+    archive("lost_to_crushing", clumps.lost_to_crushing, "J");
     if (Archive::reading) clumps.derive_from_shapes();
   }
 

@@ -6,7 +6,9 @@
 // cone; the spring turns with the contact. Linear: springs of two bodies act in series (Ferellec
 // and McDowell 2010, Table 6, read with the usual k = k1 k2 / (k1 + k2)). Hertz-Mindlin: Hertz's
 // normal force, Mindlin's no-slip stiffness at the present overlap (Johnson, Contact Mechanics,
-// 1985, sections 4.2 and 7.2), dashpots of Antypov and Elliott, EPL 94 (2011) 50004.
+// 1985, sections 4.2 and 7.2), dashpots of Antypov and Elliott, EPL 94 (2011) 50004. Either can
+// crush: the elastic force is at most a pressure times the area of the cut, 2 pi R d
+// (docs/theory/crushing.md).
 #pragma once
 
 #include "dem/lane_vector.h"
@@ -42,6 +44,12 @@ struct ContactProperties {
   // Contacts of the same two clumps (or of a clump and a wall) share one stiffness and one dashpot
   // instead of bringing one each (docs/theory/engine.md).
   bool share_among_contacts = false;
+  // Mean pressure at which the surfaces crush; 0: they never do. Granite: 3e8 to 7.5e8, three times
+  // (Johnson 1985, section 6.2) an unconfined strength of 1e8 to 2.5e8; single crystals are an
+  // order harder. That crushed contacts of granite go on at a constant stiffness is measured by
+  // Altuhafi, Baudet and Coop, Granular Matter 26 (2024), doi 10.1007/s10035-024-01394-7. Not
+  // together with shared contacts, and not at walls of triangles [Pa].
+  double crushing_pressure = 0;
 };
 
 struct Elastic {
@@ -62,8 +70,8 @@ template <class Number> struct ShareOf {
 };
 using ContactShare = ShareOf<double>;
 
-// Energy in the springs of one contact [J]: normal `overlap` > 0 [m], tangential `spring` [m]. The
-// share counts if contacts of this pair share anything.
+// Energy in the springs of one contact [J]: normal elastic `overlap` > 0 [m], tangential `spring`
+// [m]. The share counts if contacts of this pair share anything.
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
                      double spring, const ContactShare& share);
 
@@ -86,6 +94,7 @@ struct ContactEnergy {
   double elastic = 0;
   double friction = 0; // slip, and what tangential springs lose when they become softer
   double damping = 0;
+  double crushing = 0; // work that permanent overlap has taken
 };
 
 // What one contact is made of; constant while it is on a list.
@@ -101,8 +110,9 @@ template <class Number> struct HistoryOf {
   // Tangential displacement since it formed, less what slipped [m].
   LaneVector<Number> spring{0, 0, 0};
   LaneVector<Number> dashpot{0, 0, 0}; // dissipative part of the last force [N]
-  Number overlap = 0;                  // [m]
+  Number overlap = 0;                  // of the geometry [m]
   Number tangential_stiffness = 0;     // of the last step [N/m]
+  Number crushed = 0;                  // permanent part of the overlap, which makes no force [m]
 };
 using LaneHistory = HistoryOf<double>;
 
@@ -124,7 +134,9 @@ struct LinearLaw {
   double softness; // of the tangential spring [m/N]
   // Stored energy = this times force times overlap.
   static constexpr double energy_factor = 0.5;
+  static constexpr double exponent = 1; // of the overlap
   static constexpr bool stiffness_changes = false;
+  static constexpr bool crushes = false;
 
   template <class Number>
   INTERLOCK_LANE ResponseOf<Number> at(Number overlap, const ConstantsOf<Number>& c) const
@@ -143,7 +155,9 @@ struct HertzMindlinLaw {
   }
   double modulus, shear, ratio, rate_n, rate_t, friction, lowest_force;
   static constexpr double energy_factor = 0.4;
+  static constexpr double exponent = 1.5; // of the overlap
   static constexpr bool stiffness_changes = true;
+  static constexpr bool crushes = false;
 
   template <class Number>
   INTERLOCK_LANE ResponseOf<Number> at(Number overlap, const ConstantsOf<Number>& c) const
@@ -158,8 +172,32 @@ struct HertzMindlinLaw {
   }
 };
 
+// A law whose contacts keep a part of their overlap for good, so that the elastic force stays
+// within pressure times 2 pi R d, R: reduced radius, d: the whole overlap.
+template <class Law> struct Crushing : Law {
+  explicit Crushing(const ContactProperties& p)
+      : Law(p), limit_per_area(2 * M_PI * p.crushing_pressure)
+  {
+  }
+  double limit_per_area; // [Pa]
+  static constexpr bool crushes = true;
+
+  // The elastic part of an overlap > 0 of which `elastic` > 0 was elastic before this step. Exact
+  // for linear springs; else one step of Newton's method, from the side of too large a force.
+  template <class Number>
+  INTERLOCK_LANE Number elastic_part(Number overlap, Number elastic,
+                                     const ConstantsOf<Number>& c) const
+  {
+    const Number force = this->at(elastic, c).force,
+                 limit = limit_per_area * (c.reduced_radius * overlap);
+    const Number kept = 1 - (1 / Law::exponent) * (1 - limit / (force + 1e-200));
+    return select(force > limit, kept * elastic, elastic);
+  }
+};
+
 template <class Number> struct EnergyOf {
   Number elastic = 0, friction = 0, damping = 0;
+  Number crushing = 0;
 };
 using LaneEnergy = EnergyOf<double>;
 
@@ -179,7 +217,9 @@ using LaneEnergy = EnergyOf<double>;
 // dashpots dissipate the mean of their old and new force times the relative motion, friction the
 // mean spring force times the slip, and neither has an error of first order in the step. A contact
 // that has opened fades its last dashpot force over the part of the step in which it still touched,
-// and what its spring still holds is lost to friction.
+// and what its spring still holds is lost to friction. What crushes takes the mean of the old and
+// the new elastic force times the permanent overlap that is new; a contact that has been crushed
+// opens where its elastic part ends, and forgets when the surfaces part.
 template <bool shared, class Law, class Number>
 INTERLOCK_LANE LaneVector<Number>
 contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
@@ -190,6 +230,18 @@ contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
   using Vector = LaneVector<Number>;
   constexpr bool stiffness_changes = shared || Law::stiffness_changes;
   const Number zero = 0;
+  [[maybe_unused]] const Number whole = larger(overlap, zero);
+  Number old_depth = history.overlap;
+  if constexpr (Law::crushes) {
+    old_depth = larger(history.overlap - history.crushed, zero);
+    const Number before = select(overlap > zero, history.crushed, zero), elastic = overlap - before;
+    overlap = select(elastic > zero, law.elastic_part(whole, larger(elastic, zero), c), elastic);
+    const Number now = select(elastic > overlap, whole - overlap, before),
+                 old_force = law.at(old_depth, c).force,
+                 new_force = law.at(larger(overlap, zero), c).force;
+    energy.crushing = energy.crushing + 0.5 * ((old_force + new_force) * (now - before));
+    history.crushed = now;
+  }
   const auto touching = overlap > zero;
   const Number depth = larger(overlap, zero);
   Number law_depth = depth;
@@ -218,7 +270,7 @@ contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
   const Number old_square = dot(history.spring, history.spring);
   Vector spring = history.spring + cross(turn, history.spring);
   spring = spring - dot(normal, spring) * normal;
-  const Number d1 = dot(spring, spring) + 1e-60, d2 = history.overlap + gap + 1e-30;
+  const Number d1 = dot(spring, spring) + 1e-60, d2 = old_depth + gap + 1e-30;
   const Number inverse = 1 / (d1 * d2);
   // sqrt(1 + x) of a small x; whoever turns a contact by a right angle in one step has other
   // worries.
@@ -258,7 +310,7 @@ contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
   const Vector dashpot = away * normal + select(slides, Vector{zero, zero, zero}, viscous);
 
   // Over the share of the step in which the contact touched.
-  const Number part = select(touching, Number(1), history.overlap * (d1 * inverse));
+  const Number part = select(touching, Number(1), old_depth * (d1 * inverse));
   energy.damping =
       energy.damping + 0.5 * dt * (part * dot(history.dashpot + dashpot, relative_velocity));
   energy.friction = energy.friction + (0.5 * (k_t * dot(spring + held, trial - held)) + lost);
@@ -267,7 +319,10 @@ contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
 
   history.spring = held;
   history.dashpot = dashpot;
-  history.overlap = depth;
+  if constexpr (Law::crushes)
+    history.overlap = whole;
+  else
+    history.overlap = depth;
   history.tangential_stiffness = k_t; // of every law: the next one may be another
   return f_n * normal - against;
 }
@@ -277,6 +332,7 @@ struct ContactHistory {
   Vector3 spring = Vector3::Zero();  // see LaneHistory [m]
   double overlap = 0;                // [m]
   Vector3 dashpot = Vector3::Zero(); // [N]
+  double crushed = 0;                // see LaneHistory [m]
 };
 
 // Turns the tangential spring with the contact: by `turn` (mean spin of the two bodies times the
@@ -334,11 +390,13 @@ template <class Archive> void exchange(Archive& archive, ContactProperties& pair
   archive("tangential_damping_rate", pair.tangential_damping_rate, "1/s");
   archive("tension", pair.tension);
   archive("share_among_contacts", pair.share_among_contacts);
+  archive("crushing_pressure", pair.crushing_pressure, "Pa");
 }
 template <class Archive> void exchange(Archive& archive, ContactEnergy& energy)
 {
   archive("elastic", energy.elastic, "J");
   archive("friction", energy.friction, "J");
   archive("damping", energy.damping, "J");
+  archive("crushing", energy.crushing, "J");
 }
 } // namespace interlock::dem

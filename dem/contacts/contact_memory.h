@@ -18,6 +18,7 @@ struct LaneMemory {
   Vector3 dashpot = Vector3::Zero(); // [N]
   Vector3 force = Vector3::Zero();   // of the last evaluation [N]
   double overlap = 0;                // [m]
+  double crushed = 0;                // permanent part of the overlap [m]
   double tangential_stiffness = 0;   // [N/m]
   double shared_depth = 0;           // ContactShare [m]
   double gradient = 1;               // [-]
@@ -85,6 +86,7 @@ template <class Archive> void exchange(Archive& archive, ContactHistory& history
   archive("spring", history.spring, "m");
   archive("overlap", history.overlap, "m");
   archive("dashpot", history.dashpot, "N");
+  archive("crushed", history.crushed, "m");
 }
 template <class Archive> void exchange(Archive& archive, LaneMemory& lane)
 {
@@ -92,6 +94,7 @@ template <class Archive> void exchange(Archive& archive, LaneMemory& lane)
   archive("dashpot", lane.dashpot, "N");
   archive("force", lane.force, "N");
   archive("overlap", lane.overlap, "m");
+  archive("crushed", lane.crushed, "m");
   archive("tangential_stiffness", lane.tangential_stiffness, "N/m");
   archive("shared_depth", lane.shared_depth, "m");
   archive("gradient", lane.gradient);

@@ -69,7 +69,10 @@ std::vector<int> Engine::remove_clumps(const std::vector<bool>& remove)
   for (const RollingSpring& s : rolling_.springs())
     if (remove[s.key[1]] || (s.key[0] == 0 && remove[s.key[2]])) inserted_ -= energy_of(s);
   for (int i = 0; i < clumps_.size(); ++i)
-    if (remove[i]) lost_before_ += clumps_.lost[i];
+    if (remove[i]) {
+      lost_before_ += clumps_.lost[i];
+      crushed_before_ += clumps_.lost_to_crushing[i];
+    }
   const std::vector<int> new_index = clumps_.remove(remove);
   lists_.renumber_clumps(clumps_, new_index);
   mesh_contacts_.renumber_clumps(new_index);
@@ -307,7 +310,7 @@ double Engine::body_energy(int i) const
 
 EngineEnergy Engine::energy(double dt) const
 {
-  std::vector<double> kinetic, gravitational, friction, damping, local_damping;
+  std::vector<double> kinetic, gravitational, friction, damping, local_damping, crushing;
   for (int i = 0; i < clumps_.size(); ++i) {
     if (clumps_.ghost[i] == 1) continue;
     // Velocities half a step on, so that they belong to the present positions.
@@ -319,6 +322,7 @@ EngineEnergy Engine::energy(double dt) const
     friction.push_back(clumps_.lost.row(Clumps::to_friction)[i]);
     damping.push_back(clumps_.lost.row(Clumps::to_damping)[i]);
     local_damping.push_back(clumps_.lost.row(Clumps::to_local_damping)[i]);
+    crushing.push_back(clumps_.lost_to_crushing[i]);
   }
   EngineEnergy e;
   e.kinetic = order_free_sum(kinetic, ranks_);
@@ -326,6 +330,7 @@ EngineEnergy Engine::energy(double dt) const
   e.contact.elastic = order_free_sum(stored_energies(), ranks_);
   e.contact.friction = lost_before_[Clumps::to_friction] + order_free_sum(friction, ranks_);
   e.contact.damping = lost_before_[Clumps::to_damping] + order_free_sum(damping, ranks_);
+  e.contact.crushing = crushed_before_ + order_free_sum(crushing, ranks_);
   e.local_damping = lost_before_[Clumps::to_local_damping] + order_free_sum(local_damping, ranks_);
   e.wall_work = wall_work_;
   for (const MeshWall& wall : mesh_walls_) e.wall_work += wall.work();

@@ -27,7 +27,7 @@ namespace interlock::dem
 struct EngineEnergy {
   double kinetic = 0;       // at the present whole step
   double gravitational = 0; // m g z, zero at z = 0
-  ContactEnergy contact;    // elastic: now; friction, damping: since the beginning
+  ContactEnergy contact;    // elastic: now; the others: since the beginning
   double local_damping = 0; // dissipated by local damping, since the beginning
   double wall_work = 0;     // done by moving walls on clumps, since the beginning
   double inserted = 0; // kinetic + gravitational energy of clumps when they were added, and, with
@@ -202,6 +202,7 @@ public:
     if (Archive::reading) engine.set_mesh_wall_motions(motions);
     archive("rolling", engine.rolling_properties_);
     archive("lost_before", engine.lost_before_, "J");
+    archive("crushed_before", engine.crushed_before_, "J");
     archive("local_damping", engine.local_damping_.share);
     archive("wall_work", engine.wall_work_, "J");
     archive("inserted", engine.inserted_, "J");
@@ -254,6 +255,7 @@ private:
   double gravity_;
   LocalDamping local_damping_;
   Vector3 lost_before_ = Vector3::Zero(); // by clumps that were removed, as Clumps::lost [J]
+  double crushed_before_ = 0;             // likewise, Clumps::lost_to_crushing [J]
   double wall_work_ = 0, inserted_ = 0;   // [J]
   OverRanks ranks_;
   bool wall_forces_are_whole_ = true;

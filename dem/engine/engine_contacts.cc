@@ -42,9 +42,9 @@ template <class Contact> void take_lane(const ContactLanes& lanes, int k, Contac
 {
   const LaneMemory memory = lanes.memory(k);
   contact.overlap = memory.overlap;
-  contact.touching = memory.overlap > 0;
+  contact.touching = memory.overlap > memory.crushed;
   contact.force = memory.force;
-  contact.history = {memory.spring, memory.overlap, memory.dashpot};
+  contact.history = {memory.spring, memory.overlap, memory.dashpot, memory.crushed};
   contact.share = lanes.share(k);
 }
 } // namespace
@@ -97,7 +97,7 @@ double Engine::elastic_energy(const SphereContact& c) const
                rb = clumps_.shape_of(c.j).spheres[c.b].radius;
   const Vector3 d = clumps_.position[c.i] + clumps_.member_offset(c.i, c.a) -
                     clumps_.position[c.j] - clumps_.member_offset(c.j, c.b);
-  const double depth = overlap_of(d, ra + rb).depth;
+  const double depth = overlap_of(d, ra + rb).depth - c.history.crushed;
   if (depth <= 0) return 0;
   return stored_energy(stone_on_stone_, depth, ra * rb / (ra + rb), c.history.spring.norm(),
                        c.share);
@@ -109,7 +109,7 @@ double Engine::elastic_energy(const WallContact& c) const
   const Wall& wall = walls_[c.wall];
   const Vector3 x = clumps_.position[c.i] + clumps_.member_offset(c.i, c.a);
   const double radius = clumps_.shape_of(c.i).spheres[c.a].radius;
-  const double depth = radius - (x - wall.nearest_point(x)).norm();
+  const double depth = radius - (x - wall.nearest_point(x)).norm() - c.history.crushed;
   if (depth <= 0) return 0;
   return stored_energy(wall.contact, depth, radius, c.history.spring.norm(), c.share);
 }

@@ -2,6 +2,8 @@
 
 #include "dem/bodies/field_rows.h"
 
+#include <algorithm>
+
 namespace interlock::dem
 {
 namespace
@@ -47,6 +49,7 @@ void BodyRecords::take(const Clumps& clumps)
 void BodySums::clear(int n)
 {
   sums_.assign(padded(n), Sum());
+  crushing_.assign(padded(n), 0.);
 }
 
 void BodySums::write(Clumps& clumps)
@@ -73,5 +76,9 @@ void BodySums::write(Clumps& clumps)
     store(force, i, on_body);
     store(torque, i, about_centre);
   }
+  if (!crushes_) return;
+  for (int i = 0; i < clumps.size(); ++i) clumps.lost_to_crushing[i] += crushing_[i];
+  std::fill(crushing_.begin(), crushing_.end(), 0.);
+  crushes_ = false;
 }
 } // namespace interlock::dem

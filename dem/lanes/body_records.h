@@ -46,6 +46,12 @@ public:
   // overwritten by the clump's lanes and never cleared, so it would outlive them.
   void clear(int n);
   Sum* data() { return sums_.data(); }
+  // What contacts crushed in this step, clump by clump [J]; whoever asks adds to it.
+  double* crushing()
+  {
+    crushes_ = true;
+    return crushing_.data();
+  }
 
   // Writes force and torque about the centre of mass of every clump, books what its contacts lost,
   // half of it to each of two clumps, and makes the sums ready for the next step.
@@ -53,5 +59,7 @@ public:
 
 private:
   std::vector<Sum> sums_;
+  std::vector<double> crushing_; // [J]
+  bool crushes_ = false;
 };
 } // namespace interlock::dem

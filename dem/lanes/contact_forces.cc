@@ -10,9 +10,11 @@
 // The fourth number of the quads that are summed is energy: what a contact loses in this step to
 // friction goes with its force and what it loses to damping with its moment, so that a clump's sums
 // as first body hold it with a positive sign and the others with a negative one. It counts twice at
-// walls, since half of it is booked to each clump (BodySums::write).
+// walls, since half of it is booked to each clump (BodySums::write). What crushing takes, which few
+// laws know, goes in sums of its own.
 #include "dem/bodies/wide.h"
 #include "dem/exact_sums.h"
+#include "dem/input_error.h"
 #include "dem/lanes/contact_lanes.h"
 #include "dem/lanes/lane_geometry.h"
 
@@ -28,6 +30,7 @@ using Row = LaneBlock::Row;
 struct alignas(64) LaneMoments {
   Row moment[3];         // of the force, about the origin [N m]
   Row friction, damping; // lost in this step [J]
+  Row crushing;          // likewise, of laws that crush
 };
 
 constexpr int blocks_at_a_time = 4;
@@ -74,6 +77,10 @@ INTERLOCK_LANE void apply_law(const Law& law, double dt, const LaneGeometry& geo
     constants.reduced_radius = Wide::load(block.reduced_radius);
     history.tangential_stiffness = Wide::load(block.tangential_stiffness);
   }
+  if constexpr (Law::crushes) {
+    constants.reduced_radius = Wide::load(block.reduced_radius);
+    history.crushed = Wide::load(block.crushed);
+  }
   ShareOf<Wide> share;
   if constexpr (shared) share = {Wide::load(block.shared_depth), Wide::load(block.gradient)};
   EnergyOf<Wide> energy;
@@ -88,6 +95,10 @@ INTERLOCK_LANE void apply_law(const Law& law, double dt, const LaneGeometry& geo
   store(out.moment, cross(contact.point, force));
   energy.friction.store(out.friction);
   energy.damping.store(out.damping);
+  if constexpr (Law::crushes) {
+    history.crushed.store(block.crushed);
+    energy.crushing.store(out.crushing);
+  }
 }
 
 // The quads of lanes l to l + 3 that are summed.
@@ -151,12 +162,37 @@ INTERLOCK_LANE void add_at_wall(const LaneBlock& block, const LaneMoments& momen
   }
 }
 
+// Half of what each contact crushed to each of its clumps, in list order.
+INTERLOCK_LANE void add_crushing_of_pairs(const LaneBlock& block, const LaneMoments& moments,
+                                          double* crushing)
+{
+  for (int l = 0; l < lane_width; ++l) {
+    crushing[block.i[l]] += 0.5 * moments.crushing[l];
+    crushing[block.j[l]] += 0.5 * moments.crushing[l];
+  }
+}
+INTERLOCK_LANE void add_crushing_at_wall(const LaneBlock& block, const LaneMoments& moments,
+                                         double* crushing)
+{
+  for (int l = 0; l < lane_width; ++l) crushing[block.i[l]] += moments.crushing[l];
+}
+
 // Calls f with the law that the properties name.
 template <class Function> void with_law(const ContactProperties& pair, const Function& f)
 {
   using Shared = std::true_type;
   using Plain = std::false_type;
   const bool shared = pair.share_among_contacts;
+  if (pair.crushing_pressure > 0) {
+    if (shared)
+      throw InputError("Contacts have a crushing pressure and share among contacts, but a shared "
+                       "contact cannot crush.");
+    if (pair.model == ContactModel::linear)
+      f(Plain(), Crushing<LinearLaw>(pair));
+    else
+      f(Plain(), Crushing<HertzMindlinLaw>(pair));
+    return;
+  }
   if (pair.model == ContactModel::linear && !shared) f(Plain(), LinearLaw(pair));
   if (pair.model == ContactModel::linear && shared) f(Shared(), LinearLaw(pair));
   if (pair.model == ContactModel::hertz_mindlin && !shared) f(Plain(), HertzMindlinLaw(pair));
@@ -204,10 +240,14 @@ void evaluate_pairs(const BodyRecords& bodies, const ContactProperties& pair, do
     share_contacts(0, lanes.size(), lanes);
   }
   WrenchSum run;
+  double* crushing = pair.crushing_pressure > 0 ? sums.crushing() : nullptr;
   with_law(pair, [&](auto shared, const auto& law) {
+    using Law = std::decay_t<decltype(law)>;
     run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
                                         [&](const LaneBlock& block, const LaneMoments& moments) {
                                           add_pairs(block, moments, run, sums.data());
+                                          if constexpr (Law::crushes)
+                                            add_crushing_of_pairs(block, moments, crushing);
                                         });
   });
 }
@@ -226,10 +266,14 @@ void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, Co
     share_contacts(segment.begin, segment.end, lanes);
   }
   LaneVector<Wide> on_stones{0., 0., 0.};
+  double* crushing = wall.contact.crushing_pressure > 0 ? sums.crushing() : nullptr;
   with_law(wall.contact, [&](auto shared, const auto& law) {
+    using Law = std::decay_t<decltype(law)>;
     run_stages<decltype(shared)::value>(law, dt, blocks, n, place,
                                         [&](const LaneBlock& block, const LaneMoments& moments) {
                                           add_at_wall(block, moments, on_stones, sums.data());
+                                          if constexpr (Law::crushes)
+                                            add_crushing_at_wall(block, moments, crushing);
                                         });
   });
   Row parts[3];

@@ -88,6 +88,7 @@ LaneMemory ContactLanes::memory(int k) const
   memory.dashpot = get(block.dashpot, l);
   memory.force = get(block.force, l);
   memory.overlap = block.overlap[l];
+  memory.crushed = block.crushed[l];
   memory.tangential_stiffness = block.tangential_stiffness[l];
   memory.shared_depth = block.shared_depth[l];
   memory.gradient = block.gradient[l];
@@ -102,6 +103,7 @@ void ContactLanes::remember(int k, const LaneMemory& memory)
   set(block.dashpot, l, memory.dashpot);
   set(block.force, l, memory.force);
   block.overlap[l] = memory.overlap;
+  block.crushed[l] = memory.crushed;
   block.tangential_stiffness[l] = memory.tangential_stiffness;
   block.shared_depth[l] = memory.shared_depth;
   block.gradient[l] = memory.gradient;
@@ -119,9 +121,10 @@ double ContactLanes::stored_energy(int k, const ContactProperties& pair) const
 {
   const LaneBlock& block = this->block(k);
   const int l = k % lane_width;
-  if (block.overlap[l] <= 0) return 0;
-  return dem::stored_energy(pair, block.overlap[l], block.reduced_radius[l],
-                            get(block.spring, l).norm(), share(k));
+  const double elastic = block.overlap[l] - (pair.crushing_pressure > 0 ? block.crushed[l] : 0);
+  if (elastic <= 0) return 0;
+  return dem::stored_energy(pair, elastic, block.reduced_radius[l], get(block.spring, l).norm(),
+                            share(k));
 }
 
 int count_touching(const ContactLanes& lanes)

@@ -36,6 +36,7 @@ struct alignas(64) LaneBlock {
   Row reduced_radius;         // ContactConstants, of Hertz's law [m]
   Row tangential_stiffness;   // LaneHistory, read by laws whose stiffness changes [N/m]
   Row shared_depth, gradient; // ContactShare of the last evaluation with a shared law
+  Row crushed;                // LaneHistory, read and written by laws that crush [m]
 };
 
 class ContactLanes

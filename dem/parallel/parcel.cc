@@ -24,6 +24,7 @@ template <class Archive> void exchange(Archive& archive, ClumpState& s)
   archive("force", s.force, "N");
   archive("torque", s.torque, "N m");
   archive("lost", s.lost, "J");
+  archive("lost_to_crushing", s.lost_to_crushing, "J");
   archive("is_ghost", s.is_ghost);
 }
 

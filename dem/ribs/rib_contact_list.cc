@@ -127,6 +127,7 @@ void RibContacts::fill_lanes(const Clumps& clumps, const RibSet& ribs)
     lanes_.spring[lane] = c.history.spring;
     lanes_.dashpot[lane] = c.history.dashpot;
     lanes_.overlap[lane] = c.history.overlap;
+    lanes_.crushed[lane] = c.history.crushed;
     lanes_.tangential_stiffness[lane] = c.tangential_stiffness;
     lanes_.rod.set(lane, static_cast<int>(pairs_.rod.rib[c.first]), ribs);
     for (int k = near.first; k < near.last; ++k)

@@ -32,6 +32,7 @@ const std::vector<RodLoads>& RibContacts::evaluate(SubcycledClumps& clumps, cons
     energy.elastic += lanes_.elastic[lane];
     energy.friction += on_grid<energy_grid>(lanes_.friction[lane]);
     energy.damping += on_grid<energy_grid>(lanes_.damping[lane]);
+    energy.crushing += on_grid<energy_grid>(lanes_.crushing[lane]);
     if (!(lanes_.depth[lane] > 0)) continue;
     const int place = static_cast<int>(lanes_.place[lane]);
     clumps.force[place] += lanes_.push[lane];
@@ -69,7 +70,8 @@ void RibContacts::store_lanes()
     RibContact& c = contacts_[near_contacts_[lane].contact];
     const bool touches = lanes_.depth[lane] > 0;
     if (!touches && c.overlap <= 0 && c.shared <= 0) continue;
-    c.history = {lanes_.spring[lane], lanes_.overlap[lane], lanes_.dashpot[lane]};
+    c.history = {lanes_.spring[lane], lanes_.overlap[lane], lanes_.dashpot[lane],
+                 lanes_.crushed[lane]};
     c.force = lanes_.force[lane];
     c.point = lanes_.point[lane];
     c.arm = lanes_.arm[lane];
@@ -89,8 +91,9 @@ std::vector<double> RibContacts::elastic_energies() const
 
 double RibContacts::elastic_energy(const RibContact& c) const
 {
-  if (c.overlap <= 0) return 0;
-  return stored_energy(contact_, c.overlap, c.radius, c.history.spring.norm(), {});
+  const double elastic = c.overlap - (contact_.crushing_pressure > 0 ? c.history.crushed : 0);
+  if (elastic <= 0) return 0;
+  return stored_energy(contact_, elastic, c.radius, c.history.spring.norm(), {});
 }
 
 double RibContacts::elastic_energy_of(const std::vector<bool>& clumps) const
@@ -146,6 +149,7 @@ void RibContacts::leave_to(int a, int b, double overlap, ContactEnergy& energy)
     lanes_.spring[a] = lanes_.spring[b];
     lanes_.dashpot[a] = lanes_.dashpot[b];
     lanes_.overlap[a] = lanes_.overlap[b];
+    lanes_.crushed[a] = lanes_.crushed[b];
     lanes_.tangential_stiffness[a] = lanes_.tangential_stiffness[b];
     lanes_.depth[a] += kept.shared;
     kept.shared = 0;
@@ -155,7 +159,7 @@ void RibContacts::leave_to(int a, int b, double overlap, ContactEnergy& energy)
   left.shared = overlap;
   lanes_.spring[b] = Vector3::Zero();
   lanes_.dashpot[b] = Vector3::Zero();
-  lanes_.overlap[b] = lanes_.tangential_stiffness[b] = 0;
+  lanes_.overlap[b] = lanes_.crushed[b] = lanes_.tangential_stiffness[b] = 0;
   lanes_.depth[b] = 0;
 }
 } // namespace interlock::dem

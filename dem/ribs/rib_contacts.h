@@ -55,8 +55,8 @@ public:
   // Evaluates the near contacts at the present poses of the near clumps, which `clumps` holds in
   // the order of near_clumps(), and advances springs by `time_step` [s]. Adds to the clumps' forces
   // and torques and returns the loads on the ribs, in the order of the contacts; `loading_contacts`
-  // are the indices of these. energy.elastic is overwritten; friction and damping, numbers on the
-  // energy grid (dem/exact_sums.h), are added to.
+  // are the indices of these. energy.elastic is overwritten; friction, damping and crushing,
+  // numbers on the energy grid (dem/exact_sums.h), are added to.
   const std::vector<RodLoads>& evaluate(SubcycledClumps& clumps, const RibSet& ribs,
                                         double time_step, ContactEnergy& energy);
   const std::vector<int>& loading_contacts() const { return loading_contacts_; }

@@ -139,8 +139,8 @@ void RibLanes::resize(int n)
   for (VectorField* field : {&centre, &spring, &dashpot, &point, &arm, &force, &push, &torque,
                              &rod_force1, &rod_force2, &rod_moment1, &rod_moment2})
     field->resize(n);
-  for (ScalarField* field :
-       {&radius, &depth, &overlap, &tangential_stiffness, &xi, &elastic, &friction, &damping})
+  for (ScalarField* field : {&radius, &depth, &overlap, &tangential_stiffness, &crushed, &xi,
+                             &elastic, &friction, &damping, &crushing})
     field->resize(n);
 }
 
@@ -165,6 +165,8 @@ void evaluate(const SubcycledClumps& clumps, const RibSet& ribs, const Law& law_
       moment1(lanes.rod_moment1), moment2(lanes.rod_moment2);
   double* __restrict overlap = lanes.overlap.row(0);
   double* __restrict stiffness = lanes.tangential_stiffness.row(0);
+  [[maybe_unused]] double* __restrict crushed = lanes.crushed.row(0);
+  [[maybe_unused]] double* __restrict crushing = lanes.crushing.row(0);
   double* __restrict xi = lanes.xi.row(0);
   double* __restrict elastic = lanes.elastic.row(0);
   double* __restrict friction = lanes.friction.row(0);
@@ -192,7 +194,8 @@ void evaluate(const SubcycledClumps& clumps, const RibSet& ribs, const Law& law_
     const Lane3 turn = 0.5 * h * (w + n1 * motion.w1 + n2 * motion.w2);
 
     const ContactConstants constants{reduced_mass, std::sqrt(reduced_mass), radius[k]};
-    LaneHistory history{spring.get(k), dashpot.get(k), overlap[k], stiffness[k]};
+    LaneHistory history{spring.get(k), dashpot.get(k), overlap[k], stiffness[k], 0};
+    if constexpr (Law::crushes) history.crushed = crushed[k];
     LaneEnergy energy;
     const Lane3 force = contact_force<false>(law, constants, depth[k], near.normal, relative, turn,
                                              {}, h, history, energy);
@@ -203,9 +206,15 @@ void evaluate(const SubcycledClumps& clumps, const RibSet& ribs, const Law& law_
     elastic[k] = energy.elastic;
     friction[k] = energy.friction;
     damping[k] = energy.damping;
+    double pressed = history.overlap; // what makes force
+    if constexpr (Law::crushes) {
+      crushed[k] = history.crushed;
+      crushing[k] = energy.crushing;
+      pressed = larger(history.overlap - history.crushed, 0);
+    }
 
     // The part that comes from the lean acts at the sphere's centre, on which the overlap depends.
-    const Lane3 lean = law.at(history.overlap, constants).force * near.lean;
+    const Lane3 lean = law.at(pressed, constants).force * near.lean;
     const Lane3 push = force + lean;
     xi[k] = near.xi;
     point_rows.set(k, point);
@@ -227,9 +236,10 @@ void evaluate_rib_lanes(const SubcycledClumps& clumps, const RibSet& ribs,
                         const ContactProperties& pair, double h, RibLanes& lanes)
 {
   if (lanes.size() == 0) return;
-  if (pair.model == ContactModel::linear)
-    evaluate(clumps, ribs, LinearLaw(pair), h, lanes);
-  else
-    evaluate(clumps, ribs, HertzMindlinLaw(pair), h, lanes);
+  const bool linear = pair.model == ContactModel::linear, crushes = pair.crushing_pressure > 0;
+  if (linear && !crushes) evaluate(clumps, ribs, LinearLaw(pair), h, lanes);
+  if (linear && crushes) evaluate(clumps, ribs, Crushing<LinearLaw>(pair), h, lanes);
+  if (!linear && !crushes) evaluate(clumps, ribs, HertzMindlinLaw(pair), h, lanes);
+  if (!linear && crushes) evaluate(clumps, ribs, Crushing<HertzMindlinLaw>(pair), h, lanes);
 }
 } // namespace interlock::dem

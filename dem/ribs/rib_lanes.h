@@ -53,7 +53,7 @@ struct RibLanes {
 
   // LaneHistory; overlap: the depth of the last evaluation [m].
   VectorField spring, dashpot;
-  ScalarField overlap, tangential_stiffness;
+  ScalarField overlap, tangential_stiffness, crushed;
 
   // Results: xi, contact point and arm as in RibContact; the force of the contact law on the clump
   // [N]; all of the force on the clump, with the part that comes from the turn of the section along
@@ -62,7 +62,7 @@ struct RibLanes {
   ScalarField xi;
   VectorField point, arm, force, push, torque;
   VectorField rod_force1, rod_force2, rod_moment1, rod_moment2;
-  ScalarField elastic, friction, damping;
+  ScalarField elastic, friction, damping, crushing;
 };
 
 // Forces and loads of all lanes at their depths, over a sub-step of h [s]. Dashpots act on the

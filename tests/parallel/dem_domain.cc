@@ -97,8 +97,10 @@ TEST_P(SharedCrowd, GatheredIsWhatOneRankHas)
     shared.domain.gather(shared.engine);
     ASSERT_EQ(shared.own(), alone.clumps().size());
     expect_same_digits(shared, alone);
-    for (int i = 0; i < alone.clumps().size(); ++i)
+    for (int i = 0; i < alone.clumps().size(); ++i) {
       ASSERT_EQ(shared.engine.clumps().lost[i], alone.clumps().lost[i]);
+      ASSERT_EQ(shared.engine.clumps().lost_to_crushing[i], alone.clumps().lost_to_crushing[i]);
+    }
     ASSERT_EQ(shared.engine.walls()[0].force, alone.walls()[0].force);
     alone.compute_forces(crowd::time_step);
     shared.engine.compute_forces(crowd::time_step);
@@ -108,6 +110,8 @@ TEST_P(SharedCrowd, GatheredIsWhatOneRankHas)
     EXPECT_EQ(ours.contact.elastic, all.contact.elastic);
     EXPECT_EQ(ours.contact.friction, all.contact.friction);
     EXPECT_EQ(ours.contact.damping, all.contact.damping);
+    EXPECT_EQ(ours.contact.crushing, all.contact.crushing);
+    EXPECT_EQ(all.contact.crushing > 0, GetParam().pair.crushing_pressure > 0);
     for (Engine* engine : {&alone, &shared.engine}) {
       engine->kick_all(crowd::time_step);
       engine->drift_all(crowd::time_step);

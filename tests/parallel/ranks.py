@@ -42,6 +42,7 @@ FIXED = [
     ("pull-out, flattened, below a plate that keeps its force", SMALL,
      ["Geogrid/Placement=flattened", "Surcharge/Kind=plate", "Surcharge/Force=50", "Pull/Distance=0.002"]),
     ("pull-out, shared contacts", SMALL, ["Contact/Share among contacts=true", "Pull/Distance=0.002"]),
+    ("pull-out, stones crush", SMALL, ["Contact/Crushing pressure=2e7", "Pull/Distance=0.002"]),
     ("heap, rolling, on triangles", HERE / "cases/heap.prm", []),
     ("shear box, below a plate that keeps its force", HERE / "cases/shear_box.prm", []),
     ("packing, thrown", PACKING, THROWN + ["Time/Timed steps=4000"]),

@@ -298,6 +298,14 @@ class Cases(unittest.TestCase):
                        "warnings": [reason]}, file)
         self.assertEqual(self.drawn().patches[0].get_label(), "not to be used: a rib yields")
 
+    def test_a_wedged_stone_is_marked(self):
+        stone = "stone 118 (centre at x = 12, y = 80, z = 95 mm) between transverse rib 2 (40.20 kN) and the wall 'front'"
+        with open(os.path.join(self.run_folder, "summary.json"), "w", encoding="utf-8") as file:
+            json.dump({"results": {"wedged_stone": stone, "wedged_from_mm": 1.2}}, file)
+        (line,) = [line for line in self.drawn().lines if line.get_label().startswith("wedged")]
+        self.assertEqual(set(line.get_xdata()), {1.2})
+        self.assertEqual(" ".join(line.get_label().split()), "wedged from 1.2 mm on: " + stone)
+
 
 if __name__ == "__main__":
     unittest.main()

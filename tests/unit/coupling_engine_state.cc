@@ -27,6 +27,7 @@ void expect_same_energies(const Engine& a, const Engine& b, double dt)
   EXPECT_EQ(p.contact.elastic, q.contact.elastic);
   EXPECT_EQ(p.contact.friction, q.contact.friction);
   EXPECT_EQ(p.contact.damping, q.contact.damping);
+  EXPECT_EQ(p.contact.crushing, q.contact.crushing);
   EXPECT_EQ(p.local_damping, q.local_damping);
   EXPECT_EQ(p.wall_work, q.wall_work);
   EXPECT_EQ(p.inserted, q.inserted);

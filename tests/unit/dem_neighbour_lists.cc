@@ -102,6 +102,7 @@ protected:
     EXPECT_EQ(p.contact.elastic, q.contact.elastic);
     EXPECT_EQ(p.contact.friction, q.contact.friction);
     EXPECT_EQ(p.contact.damping, q.contact.damping);
+    EXPECT_EQ(p.contact.crushing, q.contact.crushing);
   }
 };
 INSTANTIATE_TEST_SUITE_P(Laws, NeighbourListsOfEachLaw, testing::ValuesIn(crowd::laws()),

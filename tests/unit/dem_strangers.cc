@@ -88,6 +88,7 @@ TEST_P(Strangers, ChangeNoDigit)
     EXPECT_EQ(a.contact.elastic, b.contact.elastic);
     EXPECT_EQ(a.contact.friction, b.contact.friction);
     EXPECT_EQ(a.contact.damping, b.contact.damping);
+    EXPECT_EQ(a.contact.crushing, b.contact.crushing);
     EXPECT_EQ(a.wall_work, b.wall_work);
   }
 }
