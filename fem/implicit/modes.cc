@@ -53,15 +53,20 @@ MatOwner mass(LatticeSystem& system, const StaticState& state, IS free)
   system.matrix() = 0;
   const std::vector<NodeInertia> nodes = lump_inertia(state.lattice, false);
   for (int i = 0; i < state.lattice.n_nodes(); ++i) {
-    const unsigned int first = state.lattice.dof(i, 0), spin = state.lattice.dof(i, 3);
-    if (!system.owned().is_element(first)) continue;
+    const Lattice& lattice = state.lattice;
+    if (!system.owned().is_element(lattice.dof(i, 0))) continue;
     const Eigen::Matrix3d turn = state.orientation[i].toRotationMatrix();
     const Eigen::Matrix3d tensor = turn * nodes[i].tensor * turn.transpose();
-    for (unsigned int a = 0; a < 3; ++a) {
-      system.matrix().add(first + a, first + a, nodes[i].mass);
-      for (unsigned int b = 0; b < 3; ++b)
-        system.matrix().add(spin + a, spin + b, 0.5 * (tensor(a, b) + tensor(b, a)));
-    }
+    Eigen::Matrix<double, 6, 6> inertia = Eigen::Matrix<double, 6, 6>::Zero();
+    inertia.topLeftCorner<3, 3>().diagonal().setConstant(nodes[i].mass);
+    inertia.bottomRightCorner<3, 3>() = 0.5 * (tensor + tensor.transpose());
+    for (int a = 0; a < 6; ++a)
+      for (int b = 0; b < 6; ++b) {
+        const unsigned int row = lattice.dof(i, a), column = lattice.dof(i, b);
+        const bool is_free = !system.constraints().is_constrained(row) &&
+                             !system.constraints().is_constrained(column);
+        if (is_free && inertia(a, b) != 0) system.matrix().add(row, column, inertia(a, b));
+      }
   }
   system.matrix().compress(dealii::VectorOperation::add);
   return free_part(system.matrix(), free);

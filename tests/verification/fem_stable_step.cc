@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <random>
 
 namespace
@@ -62,13 +64,15 @@ double exact_limit(const Lattice& lattice, const DynamicsOptions& options, doubl
   return 2 / std::sqrt(modes.eigenvalues().maxCoeff());
 }
 
-// Kinetic energy after 20000 steps over the energy that random velocities gave at the start.
+// The largest kinetic energy within 20000 steps over the energy that random velocities gave at the
+// start, or infinity. The motion starts so small that growth by 1e6 leaves it small: large turns
+// change the frequencies, and what grows at first may stay bounded there.
 double growth(const Lattice& lattice, const DynamicsOptions& options, double h)
 {
   ExplicitDynamics dynamics(lattice, options);
   LatticeState state = dynamics.state();
   std::mt19937 generator(5);
-  std::uniform_real_distribution<double> uniform(-1e-6, 1e-6);
+  std::uniform_real_distribution<double> uniform(-1e-10, 1e-10);
   for (int i = 0; i < lattice.n_nodes(); ++i) {
     state.velocity[i] = {uniform(generator), uniform(generator), uniform(generator)};
     state.spin[i] = 1e3 * Vector3d(uniform(generator), uniform(generator), uniform(generator));
@@ -79,8 +83,14 @@ double growth(const Lattice& lattice, const DynamicsOptions& options, double h)
   }
   dynamics.set_state(state);
   const double start = dynamics.energies().kinetic;
-  for (int i = 0; i < 20000; ++i) dynamics.step(h);
-  return dynamics.energies().kinetic / start;
+  double largest = start;
+  for (int i = 0; i < 20000; ++i) {
+    dynamics.step(h);
+    const double kinetic = dynamics.energies().kinetic;
+    if (!std::isfinite(kinetic)) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, kinetic);
+  }
+  return largest / start;
 }
 
 TEST(StableStep, FormulaIsSafeAndNotWasteful)
@@ -142,8 +152,7 @@ TEST(StableStep, BoundedBelowGrowingAbove)
     options.spherical_inertia = spherical;
     const double exact = exact_limit(lattice, options);
     EXPECT_LT(growth(lattice, options, 0.995 * exact), 10);
-    const double above = growth(lattice, options, 1.005 * exact);
-    EXPECT_TRUE(above > 1e6 || std::isnan(above)) << above;
+    EXPECT_GT(growth(lattice, options, 1.005 * exact), 1e6);
   }
 }
 
@@ -176,8 +185,7 @@ TEST(StableStep, PrintedStepIsTheLimitWhereTheBoundIsSharp)
         const double printed = ExplicitDynamics(lattice, options).stable_step();
         EXPECT_NEAR(printed, exact_limit(lattice, options), 1e-9 * printed);
         EXPECT_LT(growth(lattice, options, 0.99 * printed), 1 / (1 - 0.99 * 0.99));
-        const double above = growth(lattice, options, 1.01 * printed);
-        EXPECT_TRUE(above > 1e6 || std::isnan(above)) << above;
+        EXPECT_GT(growth(lattice, options, 1.01 * printed), 1e6);
       }
 }
 
