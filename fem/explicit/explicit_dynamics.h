@@ -183,8 +183,9 @@ public:
   // costs as much as a step. Without the bends of the elements it costs nothing.
   double stable_step() const
   {
-    return frequency_.stable_step(largest_force_, largest_plastic_stretch_,
-                                  bent_.largest(beams_, position_, orientation_, n_padded_));
+    return frequency_.stable_step(
+        largest_force_, largest_plastic_stretch_,
+        bent_.largest(beams_, position_, orientation_, clamped_, n_padded_));
   }
   double stable_step_without_bends() const
   {
