@@ -5,6 +5,8 @@
 #include "fem/statics/lattice_system.h"
 #include "fem/statics/resting_supports.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -70,6 +72,23 @@ MatOwner mass(LatticeSystem& system, const StaticState& state, IS free)
   }
   system.matrix().compress(dealii::VectorOperation::add);
   return free_part(system.matrix(), free);
+}
+
+// Free freedoms that have mass or rotary inertia: there are as many modes.
+int n_with_inertia(Mat mass)
+{
+  Vec vec = nullptr;
+  check(MatCreateVecs(mass, &vec, nullptr));
+  const VecOwner diagonal(vec);
+  check(MatGetDiagonal(mass, vec));
+  PetscInt first = 0, end = 0;
+  check(VecGetOwnershipRange(vec, &first, &end));
+  const PetscScalar* values = nullptr;
+  check(VecGetArrayRead(vec, &values));
+  const auto mine = static_cast<int>(
+      std::count_if(values, values + (end - first), [](PetscScalar value) { return value > 0; }));
+  check(VecRestoreArrayRead(vec, &values));
+  return dealii::Utilities::MPI::sum(mine, PetscObjectComm(reinterpret_cast<PetscObject>(mass)));
 }
 
 // Below zero, so that the shifted stiffness of an unsupported lattice can be inverted, by the
@@ -146,13 +165,12 @@ std::vector<NaturalMode> natural_modes(const StaticState& state, int count, bool
   LatticeSystem system(state, rbf, communicator);
   system.set_supports(resting_supports(state));
   const IsOwner free = free_freedoms(system);
-  PetscInt size = 0;
-  check(ISGetSize(free.get(), &size));
+  const MatOwner k = stiffness(system, free.get()), m = mass(system, state, free.get());
+  const int size = n_with_inertia(m.get());
   if (count < 1 || count > size)
     throw std::invalid_argument("The number of natural modes is " + std::to_string(count) +
                                 " but must be between 1 and " + std::to_string(size) +
-                                ", the number of free freedoms.");
-  const MatOwner k = stiffness(system, free.get()), m = mass(system, state, free.get());
+                                ", the number of free freedoms with mass or rotary inertia.");
   const LowestEigenvalues lowest(k.get(), m.get(), count, shift(state));
 
   ShapeReader reader(state.lattice, system, k.get());
