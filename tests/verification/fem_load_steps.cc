@@ -117,7 +117,7 @@ TEST(LoadSteps, RibOnAMapBends)
   EXPECT_NEAR(far.displacement(80).norm(), near, 1e-6 * near);
   EXPECT_NEAR(far.position(80).y(), 5e6, 1e-3);
   EXPECT_NEAR(far.reaction(0)[2], 1e-3, 1e-9);
-  EXPECT_LT(far.imbalance(), 1e-6);
+  EXPECT_LT(far.imbalance(), 1e-8);
 }
 
 // Answered in proportion, or refused: never by zero.
@@ -133,7 +133,7 @@ TEST(LoadSteps, SmallLoadsAreAnswered)
     } catch (const std::runtime_error& error) {
       EXPECT_NE(std::string(error.what()).find("rounding"), std::string::npos) << error.what();
     }
-  EXPECT_GE(answered, 2);
+  EXPECT_GE(answered, 4);
 }
 } // namespace
 
