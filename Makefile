@@ -1,7 +1,7 @@
 # The front door. `make help` says what there is; CMake does the work (CMakePresets.json).
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
-.PHONY: help install build pullout test sanitize format clean
+.PHONY: help install build pullout test sanitize sanitize-fem format clean
 
 # deal.II needs up to 1.5 GB for one file, so a machine with many cores and little memory gets fewer jobs.
 JOBS ?= $(shell awk -v cores=$$(nproc) '/MemAvailable/ {n = int($$2/1500000); if (n < 1) n = 1; \
@@ -26,6 +26,7 @@ help:
 	@echo '  make test       install what is missing, build, run every test'
 	@echo '  make build      install what is missing, build the program build/release/bin/interlock'
 	@echo '  make sanitize   unit tests under the address and undefined-behaviour sanitizers'
+	@echo '  make sanitize-fem   the same for all tests of the beams and of their laboratory (half an hour)'
 	@echo '  make format     clang-format on every source file'
 	@echo '  make clean      remove the build folders (results/ stays)'
 	@echo
@@ -57,14 +58,19 @@ test: build
 	@bash scripts/run_tests.sh $(RELEASE) $(JOBS)
 
 # Leaks inside MPI and PETSc start-up are not ours; everything else counts. Whole call stacks (no fast
-# unwinding) are what tells the two apart.
-sanitize: install
-	@echo 'Building the unit tests with sanitizers in $(SANITIZED) with $(JOBS) jobs.'
+# unwinding) are what tells the two apart. deal.II's debug library comes with them: it checks every answer of PETSc.
+SANITIZERS := LSAN_OPTIONS=suppressions=$(CURDIR)/cmake/leak_suppressions.txt:print_suppressions=0 \
+  ASAN_OPTIONS=fast_unwind_on_malloc=0 UBSAN_OPTIONS=print_stacktrace=1
+
+sanitize: sanitized-target = unit_tests
+sanitize: sanitized-tests = -L unit
+sanitize-fem: sanitized-target = fem_tests
+sanitize-fem: sanitized-tests = -R '/fem_|_laboratory'
+sanitize sanitize-fem: install
+	@echo 'Building $(sanitized-target) with sanitizers in $(SANITIZED) with $(JOBS) jobs.'
 	@cmake --preset asan-ubsan --log-level=WARNING >/dev/null
-	@cmake --build --preset asan-ubsan --parallel $(JOBS) --target unit_tests
-	@LSAN_OPTIONS=suppressions=$(CURDIR)/cmake/leak_suppressions.txt:print_suppressions=0 \
-	  ASAN_OPTIONS=fast_unwind_on_malloc=0 UBSAN_OPTIONS=print_stacktrace=1 \
-	  bash scripts/run_tests.sh $(SANITIZED) $(JOBS) -L unit
+	@cmake --build --preset asan-ubsan --parallel $(JOBS) --target $(sanitized-target)
+	@$(SANITIZERS) bash scripts/run_tests.sh $(SANITIZED) $(JOBS) $(sanitized-tests)
 
 format:
 	@command -v clang-format >/dev/null || { echo 'Install clang-format first.' >&2; exit 1; }

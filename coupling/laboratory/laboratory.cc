@@ -155,7 +155,6 @@ std::unique_ptr<fem::StaticSolver> Laboratory::new_solver(bool stable_branch) co
   options.stable_branch = stable_branch;
   if (stable_branch) options.longest_turn = 0.5;
   options.load_steps = 1;
-  options.largest_imbalance = 1e-6;
   return std::make_unique<fem::StaticSolver>(*lattice_, options);
 }
 

@@ -27,6 +27,14 @@ Eigen::Vector3d end_inertia(const Lattice& lattice, int e, const std::vector<Nod
 // The smaller bound holds. A turn p within the element makes d_s and d_b larger by p^2/6 for the
 // inverse tangent of the rotation and its swing (bounds of what the kernel has), and the moment M
 // adds M/(2 J). Straight elements have q = 0 and add nothing.
+//
+// Where one end is clamped only the other has inertia: a, d_s and d_b are half of these, but mean
+// turn and bending are one motion then, so sums stand where the larger was enough, (d_s + d_b)/2
+// for d and the mean of both for the second bound; in q what both ask of the free end's turn, half
+// the factor of dt and +- h k/12, is added with its sign before it is squared. The moment's term is
+// its product with the turns of both ends; with one of them it is of second order, M.(p d^2 - d
+// (p.d))/24 for the turn d of the free end (symmetric Baker-Campbell-Hausdorff series), and adds M
+// p/(12 J).
 class BentBeams
 {
 public:
@@ -34,9 +42,10 @@ public:
   void set(int slot, const Lattice& lattice, int e, const std::vector<NodeInertia>& nodes,
            bool spherical, bool rbf);
   // The largest of all elements in these blocks of lanes, given by their first slots; 0 where all
-  // are straight [1/s2].
+  // are straight [1/s2]. `clamped`: 1 where the node of a slot does not move, else 0. An element
+  // between two of those counts as free, so that a rigid lattice has a step, too.
   double largest(const BeamLanes& beams, const Lanes3& position, const Lanes4& orientation,
-                 const std::vector<int>& blocks) const;
+                 const Lane& clamped, const std::vector<int>& blocks) const;
 
 private:
   Lane stretch_, shear_, bend_, moment_; // a, d_s, d_b [1/s2], 1/(2 J) [1/(kg m2)]

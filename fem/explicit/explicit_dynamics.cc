@@ -193,7 +193,7 @@ Eigen::Vector3d ExplicitDynamics::clamp_reaction() const
 LatticeExtremes ExplicitDynamics::extremes(bool with_bends) const
 {
   return {largest_force_, largest_plastic_stretch_,
-          with_bends ? bent_.largest(beams_, position_, orientation_, moved_) : 0};
+          with_bends ? bent_.largest(beams_, position_, orientation_, clamped_, moved_) : 0};
 }
 
 SectionForces ExplicitDynamics::section_forces(int e) const

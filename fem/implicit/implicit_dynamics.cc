@@ -5,6 +5,8 @@
 #include "fem/lattice/beam_constants.h"
 #include "fem/statics/resting_supports.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,6 +17,20 @@ namespace
 {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+// Every node needs mass and rotary inertia about each axis, or its acceleration is not determined.
+void require_inertia(const Lattice& lattice, const std::vector<NodeInertia>& nodes)
+{
+  for (int e = 0; e < lattice.n_elements(); ++e)
+    for (const int node : lattice.element(e).node) {
+      const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(nodes[node].tensor,
+                                                              Eigen::EigenvaluesOnly);
+      if (!(nodes[node].mass > 0) || !(principal.eigenvalues()[0] > 0))
+        throw std::invalid_argument("Rib line " + std::to_string(lattice.element(e).line) +
+                                    " has no mass or no rotary inertia, which implicit dynamics "
+                                    "needs (given_section completes a section).");
+    }
+}
 
 // Velocity and acceleration of a support at time zero, from its first three places.
 std::array<double, 2> derivatives(const ImplicitDynamics::MotionFunction& value, double delta)
@@ -37,6 +53,7 @@ ImplicitDynamics::ImplicitDynamics(const StaticState& start, const ImplicitOptio
     throw std::invalid_argument("The spectral radius of implicit dynamics is " +
                                 std::to_string(options.spectral_radius) +
                                 " but must be between 0 and 1.");
+  require_inertia(start.lattice, nodes_);
   for (const StaticState::Support& support : resting_supports(start))
     prescribe(support.node, support.component, [here = support.value](double) { return here; });
   loads_ = loads_at(0);

@@ -52,7 +52,8 @@ public:
 
   // Starts at rest in `start`: unloaded, or as a StaticSolver has left it. Its supports stay where
   // they are and the loads that it is at rest under keep acting, unless the functions below say
-  // otherwise. Throws std::invalid_argument when the spectral radius is outside [0, 1].
+  // otherwise. Throws std::invalid_argument when the spectral radius is outside [0, 1] or a node
+  // has no mass or no rotary inertia.
   ImplicitDynamics(const StaticState& start, const ImplicitOptions& options,
                    MPI_Comm communicator = MPI_COMM_WORLD);
   ImplicitDynamics(const ImplicitDynamics&) = delete;

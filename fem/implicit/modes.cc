@@ -5,6 +5,8 @@
 #include "fem/statics/lattice_system.h"
 #include "fem/statics/resting_supports.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -53,18 +55,40 @@ MatOwner mass(LatticeSystem& system, const StaticState& state, IS free)
   system.matrix() = 0;
   const std::vector<NodeInertia> nodes = lump_inertia(state.lattice, false);
   for (int i = 0; i < state.lattice.n_nodes(); ++i) {
-    const unsigned int first = state.lattice.dof(i, 0), spin = state.lattice.dof(i, 3);
-    if (!system.owned().is_element(first)) continue;
+    const Lattice& lattice = state.lattice;
+    if (!system.owned().is_element(lattice.dof(i, 0))) continue;
     const Eigen::Matrix3d turn = state.orientation[i].toRotationMatrix();
     const Eigen::Matrix3d tensor = turn * nodes[i].tensor * turn.transpose();
-    for (unsigned int a = 0; a < 3; ++a) {
-      system.matrix().add(first + a, first + a, nodes[i].mass);
-      for (unsigned int b = 0; b < 3; ++b)
-        system.matrix().add(spin + a, spin + b, 0.5 * (tensor(a, b) + tensor(b, a)));
-    }
+    Eigen::Matrix<double, 6, 6> inertia = Eigen::Matrix<double, 6, 6>::Zero();
+    inertia.topLeftCorner<3, 3>().diagonal().setConstant(nodes[i].mass);
+    inertia.bottomRightCorner<3, 3>() = 0.5 * (tensor + tensor.transpose());
+    for (int a = 0; a < 6; ++a)
+      for (int b = 0; b < 6; ++b) {
+        const unsigned int row = lattice.dof(i, a), column = lattice.dof(i, b);
+        const bool is_free = !system.constraints().is_constrained(row) &&
+                             !system.constraints().is_constrained(column);
+        if (is_free && inertia(a, b) != 0) system.matrix().add(row, column, inertia(a, b));
+      }
   }
   system.matrix().compress(dealii::VectorOperation::add);
   return free_part(system.matrix(), free);
+}
+
+// Free freedoms that have mass or rotary inertia: there are as many modes.
+int n_with_inertia(Mat mass)
+{
+  Vec vec = nullptr;
+  check(MatCreateVecs(mass, &vec, nullptr));
+  const VecOwner diagonal(vec);
+  check(MatGetDiagonal(mass, vec));
+  PetscInt first = 0, end = 0;
+  check(VecGetOwnershipRange(vec, &first, &end));
+  const PetscScalar* values = nullptr;
+  check(VecGetArrayRead(vec, &values));
+  const auto mine = static_cast<int>(
+      std::count_if(values, values + (end - first), [](PetscScalar value) { return value > 0; }));
+  check(VecRestoreArrayRead(vec, &values));
+  return dealii::Utilities::MPI::sum(mine, PetscObjectComm(reinterpret_cast<PetscObject>(mass)));
 }
 
 // Below zero, so that the shifted stiffness of an unsupported lattice can be inverted, by the
@@ -141,13 +165,12 @@ std::vector<NaturalMode> natural_modes(const StaticState& state, int count, bool
   LatticeSystem system(state, rbf, communicator);
   system.set_supports(resting_supports(state));
   const IsOwner free = free_freedoms(system);
-  PetscInt size = 0;
-  check(ISGetSize(free.get(), &size));
+  const MatOwner k = stiffness(system, free.get()), m = mass(system, state, free.get());
+  const int size = n_with_inertia(m.get());
   if (count < 1 || count > size)
     throw std::invalid_argument("The number of natural modes is " + std::to_string(count) +
                                 " but must be between 1 and " + std::to_string(size) +
-                                ", the number of free freedoms.");
-  const MatOwner k = stiffness(system, free.get()), m = mass(system, state, free.get());
+                                ", the number of free freedoms with mass or rotary inertia.");
   const LowestEigenvalues lowest(k.get(), m.get(), count, shift(state));
 
   ShapeReader reader(state.lattice, system, k.get());

@@ -32,7 +32,8 @@ struct NaturalMode {
 // of the lattice and all of the result. How many modes lie below the highest one asked for is
 // checked by Sylvester's law of inertia, so that none of a multiple frequency is missed.
 //
-// Throws std::invalid_argument when `count` is not between 1 and the number of free freedoms,
+// Throws std::invalid_argument when `count` is not between 1 and the number of free freedoms with
+// inertia (a section without rotary inertia leaves the displacements),
 // std::runtime_error when the method does not converge or misses a mode.
 std::vector<NaturalMode> natural_modes(const StaticState& state, int count, bool rbf = true,
                                        MPI_Comm communicator = MPI_COMM_WORLD);

@@ -8,7 +8,8 @@
 
 namespace interlock::fem
 {
-std::vector<NodeLoad> unbalanced_forces(const StaticState& state, bool rbf)
+std::vector<NodeLoad> unbalanced_forces(const StaticState& state, bool rbf,
+                                        const std::vector<NodeLoad>& correction)
 {
   std::vector<NodeLoad> forces;
   for (const NodeLoad& load : state.reached_loads) forces.push_back(-load);
@@ -26,14 +27,15 @@ std::vector<NodeLoad> unbalanced_forces(const StaticState& state, bool rbf)
     forces[spring.node[0]].tail<3>() -= moment;
     forces[spring.node[1]].tail<3>() += moment;
   }
+  for (std::size_t i = 0; i < correction.size(); ++i) forces[i] += correction[i];
   return forces;
 }
 
-Balance balance(const StaticState& state, bool rbf)
+Balance balance(const StaticState& state, bool rbf, const std::vector<NodeLoad>& correction)
 {
   const Lattice& lattice = state.lattice;
   std::map<unsigned int, double> at_freedom; // joined nodes share their displacements
-  const std::vector<NodeLoad> forces = unbalanced_forces(state, rbf);
+  const std::vector<NodeLoad> forces = unbalanced_forces(state, rbf, correction);
   for (int i = 0; i < lattice.n_nodes(); ++i)
     for (int c = 0; c < 6; ++c) at_freedom[lattice.dof(i, c)] += forces[i][c];
   std::vector<NodeLoad> acting = state.reached_loads;

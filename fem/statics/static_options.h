@@ -20,10 +20,8 @@ struct StaticOptions {
   bool stable_branch = false; // look at the stability of each load step's equilibrium, and halve a
                               // step that leads to an unstable one, up to six times:
                               // StaticSolver::unstable_directions
-  double largest_imbalance = 0.01; // share of the forces; with more left between reactions and
-                                   // loads a solution is refused. Stiff ribs under loads that only
-                                   // bend them slightly have good deflections, but axial reactions
-                                   // that are no better than rounding
+  double largest_imbalance = 1e-8; // share of the forces; with more left between reactions and
+                                   // loads a solution is refused
   MPI_Comm communicator = MPI_COMM_WORLD; // processes that share the work
 };
 } // namespace interlock::fem

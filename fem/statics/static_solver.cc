@@ -4,6 +4,7 @@
 #include "fem/ribs/number_text.h"
 #include "fem/statics/arc_length.h"
 #include "fem/statics/balance.h"
+#include "fem/statics/last_correction.h"
 #include "fem/statics/load_step.h"
 #include "fem/statics/negative_pivots.h"
 #include "fem/statics/static_elements.h"
@@ -63,6 +64,9 @@ Ramp ramp(const StaticState& state, double share, double part)
   }
   return now;
 }
+
+// Share of the largest displacement that the last Newton step may change.
+constexpr double largest_uncertainty = 1e-6;
 
 // A load step that fails is halved, up to ten times; one that may have left the branch, up to six.
 constexpr int finest = 1024, doubt_ends = finest / 64;
@@ -217,7 +221,7 @@ int StaticSolver::solve()
     done += stride;
     if (stride < finest && done % (2 * stride) == 0) stride *= 2;
   }
-  require_balance();
+  require_balance(system);
   return iterations;
 }
 
@@ -240,11 +244,29 @@ StaticSolver::Judgement StaticSolver::judge(const StaticState& before, LatticeSy
   return Judgement::right;
 }
 
-void StaticSolver::require_balance()
+void StaticSolver::require_balance(LatticeSystem& system)
 {
-  const Balance now = balance(state_, options_.rbf);
-  largest_forces_ = std::max(largest_forces_, now.scale);
-  imbalance_ = largest_forces_ > 0 ? now.error / largest_forces_ : 0;
+  const auto share = [this] {
+    const Balance now = balance(state_, options_.rbf, correction_);
+    largest_forces_ = std::max(largest_forces_, now.scale);
+    return largest_forces_ > 0 ? now.error / largest_forces_ : 0.;
+  };
+  for (int i = 0; i < lattice_.n_nodes(); ++i)
+    largest_displacement_ = std::max(largest_displacement_, displacement(i).norm());
+  correction_.clear();
+  imbalance_ = share();
+  uncertainty_ = 0;
+  constexpr double rounding = 1e-10; // below, the forces need no correction
+  if (imbalance_ > rounding) {
+    const LastCorrection last = last_correction(system, state_, options_.rbf);
+    correction_ = last.forces;
+    imbalance_ = share();
+    if (largest_displacement_ > 0) uncertainty_ = last.displacement / largest_displacement_;
+  }
+  if (!(uncertainty_ <= largest_uncertainty))
+    throw std::runtime_error("The displacements are uncertain by " + number_text(uncertainty_) +
+                             " of the largest, but at most " + number_text(largest_uncertainty) +
+                             " may be: loads that strain the ribs by so little drown in rounding.");
   if (!(imbalance_ <= options_.largest_imbalance))
     throw std::runtime_error("Reactions and loads do not balance: " + number_text(imbalance_) +
                              " of the forces is left, but at most " +
@@ -273,6 +295,7 @@ std::vector<PathPoint> StaticSolver::trace_path(const ArcLengthOptions& arc_leng
   require_petsc();
   require_held(state_);
   require_elastic(state_.lattice);
+  correction_.clear();
   return ArcLength(state_, options_, arc_length).trace();
 }
 
@@ -307,7 +330,7 @@ double StaticSolver::strain_energy() const
 NodeLoad StaticSolver::reaction(int node) const
 {
   require_node(lattice_, node, "A reaction");
-  const std::vector<NodeLoad> forces = unbalanced_forces(state_, options_.rbf);
+  const std::vector<NodeLoad> forces = unbalanced_forces(state_, options_.rbf, correction_);
   NodeLoad sum = NodeLoad::Zero();
   // Joined nodes take the force together, each its own moment.
   for (const int joined : lattice_.joined_nodes(node)) sum.head<3>() += forces[joined].head<3>();

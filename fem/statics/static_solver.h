@@ -56,9 +56,11 @@ public:
   // good for; one that turns a node by more than StaticOptions::longest_turn, up to six times.
   // Returns the number of Newton iterations. Throws std::runtime_error when PETSc is not running,
   // when the lattice is not held, when a load step does not converge or an element stays folded
-  // (the state is that of the last load step that was right), or when reactions and loads leave
-  // more than StaticOptions::largest_imbalance unbalanced, as they do where rounding of the axial
-  // stiffness is larger.
+  // (the state is that of the last load step that was right), or where the loads drown in the
+  // rounding of the axial stiffness: when one Newton step more would move a node by more than 1e-6
+  // of the largest displacement so far, or when reactions and loads leave more than
+  // StaticOptions::largest_imbalance unbalanced. Reactions contain what that step changes in them,
+  // see LastCorrection, unless they balance to 1e-10 as they are.
   int solve();
   // Follows the equilibrium path by arc length through limit points and snap-back, see ArcLength:
   // the loads are those that the state is at rest under plus the load factor times what has been
@@ -68,6 +70,9 @@ public:
   // What was left of the sum of loads and reactions, and of their moments about the middle over the
   // lattice's size, after the last `solve`; share of the largest sum of their amounts so far [-].
   double imbalance() const { return imbalance_; }
+  // Share of the largest displacement so far that one Newton step more would move a node by after
+  // the last `solve`: what rounding leaves uncertain; 0 where reactions balance to 1e-10 [-].
+  double uncertainty() const { return uncertainty_; }
   // Of the present equilibrium; factorises its tangent unless `stable_branch` has done so.
   Stability stability();
   // Directions in which the equilibrium of the last load step is unstable, such as that of a rib
@@ -99,7 +104,7 @@ private:
   enum class Judgement { right, astray };
   // Of the step from `before` to the present state.
   Judgement judge(const StaticState& before, LatticeSystem& system, int stride);
-  void require_balance();
+  void require_balance(LatticeSystem& system);
 
   Lattice lattice_; // as it was given; that of the state is about the state's origin
   StaticState state_;
@@ -107,6 +112,8 @@ private:
   int factorisations_ = 0;
   int unstable_ = 0, unstable_on_the_way_ = 0;
   bool has_moved_ = false, jumped_ = false;
+  std::vector<NodeLoad> correction_;          // of the forces, see LastCorrection; empty: none
   double imbalance_ = 0, largest_forces_ = 0; // share [-], sum of amounts [N]
+  double uncertainty_ = 0, largest_displacement_ = 0; // share [-], [m]
 };
 } // namespace interlock::fem

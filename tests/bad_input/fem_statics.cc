@@ -1,4 +1,6 @@
 // What the static solver says when there is no equilibrium: one sentence, never a number.
+#include "fem/implicit/implicit_dynamics.h"
+#include "fem/implicit/modes.h"
 #include "fem/statics/static_solver.h"
 
 #include <deal.II/base/mpi.h>
@@ -134,6 +136,30 @@ TEST(BadStatics, PathsWithoutAStartOrAnEnd)
   path.max_points = 5;
   path.is_last = [](const PathPoint&) { return false; };
   expect_says<std::runtime_error>([&] { solver.trace_path(path); }, {"5 points", "max_points"});
+}
+
+// Dynamics in time needs rotary inertia. Modes do not: there are as many as freedoms with inertia,
+// and the lowest ones of a slender rib hardly change.
+TEST(BadStatics, NoRotaryInertia)
+{
+  BeamSection section;
+  section.axial = section.shear_2 = section.shear_3 = 1e4;
+  section.torsion = section.bending_2 = section.bending_3 = section.line_density = 1;
+  const auto held = [](const BeamSection& of) {
+    StaticState state{Lattice({straight_line({0, 0, 0}, {1, 0, 0}, 8, of)})};
+    for (int c = 0; c < 6; ++c) state.supports.push_back({0, c, 0.});
+    return state;
+  };
+  const StaticState bare = held(section);
+  expect_says<std::invalid_argument>([&] { ImplicitDynamics(bare, {}); },
+                                     {"Rib line 0", "rotary inertia", "implicit dynamics"});
+  expect_says<std::invalid_argument>([&] { natural_modes(bare, 25); }, {"25", "1 and 24"});
+  const auto modes = natural_modes(bare, 24),
+             complete = natural_modes(held(given_section(section)), 2);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_GT(modes[i].frequency, complete[i].frequency);
+    EXPECT_NEAR(modes[i].frequency, complete[i].frequency, 1e-3 * complete[i].frequency);
+  }
 }
 
 TEST(BadStatics, LoadsTooLarge)

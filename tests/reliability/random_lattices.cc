@@ -184,7 +184,6 @@ Verdict judge(const Problem& problem, int number, double& worst_imbalance, int& 
   try {
     const Lattice far(moved(problem.lines, problem.place));
     StaticOptions options;
-    options.largest_imbalance = 1e-6;
     StaticSolver solver(far, options);
     solver.clamp(held_nodes(far, problem.place));
     const auto& [where, force] = problem.loads[0];

@@ -102,7 +102,6 @@ StaticSolver light_rib(const Vector3d& corner, int elements, double load)
   const Lattice lattice({straight_line(corner, corner + Vector3d(0.28, 0, 0), elements,
                                        beam_section({3e-3, 0.76e-3, 2e9, 0.4, 910}))});
   StaticOptions options;
-  options.largest_imbalance = 1e-6;
   StaticSolver solver(lattice, options);
   solver.clamp({0});
   solver.add_load(elements, {0, 0, -load}, {0, 0, 0});
@@ -118,7 +117,7 @@ TEST(LoadSteps, RibOnAMapBends)
   EXPECT_NEAR(far.displacement(80).norm(), near, 1e-6 * near);
   EXPECT_NEAR(far.position(80).y(), 5e6, 1e-3);
   EXPECT_NEAR(far.reaction(0)[2], 1e-3, 1e-9);
-  EXPECT_LT(far.imbalance(), 1e-6);
+  EXPECT_LT(far.imbalance(), 1e-8);
 }
 
 // Answered in proportion, or refused: never by zero.
@@ -134,7 +133,7 @@ TEST(LoadSteps, SmallLoadsAreAnswered)
     } catch (const std::runtime_error& error) {
       EXPECT_NE(std::string(error.what()).find("rounding"), std::string::npos) << error.what();
     }
-  EXPECT_GE(answered, 2);
+  EXPECT_GE(answered, 4);
 }
 } // namespace
 
