@@ -9,6 +9,9 @@ namespace interlock::coupling::protocol
 // presses the surface flat [-].
 constexpr double margin_not_flattened = 0.25, margin_at_top = 0.5;
 
+// A surface is level when the plate came this near to its height, as share of a mean stone [-].
+constexpr double level_tolerance = 0.1;
+
 // Stones are left to settle at least so long after the plate was lifted, which unloads them without
 // a fall [s].
 constexpr double settling_after_plate = 0.01;

@@ -112,7 +112,8 @@ std::vector<PullOut::Stage> PullOut::plan_from_state() const
 void PullOut::adapt()
 {
   dem::Engine& engine = world_.engine;
-  engine.stone_contact() = stone_on_stone_;
+  engine.stone_contact() =
+      start_ && !start_->geogrid_is_placed ? filling_contact() : stone_on_stone_;
   world_.ribs.stone_on_rib() = stone_on_rib_;
   for (dem::Wall& wall : engine.walls()) wall.contact = stone_on_box_;
   engine.set_local_damping(parameters_.filling.local_damping);
