@@ -108,9 +108,11 @@ void PullOut::append_lower_half(std::vector<Stage>& plan) const
   const double underside = geogrid_height() - 0.5 * parameters_.geogrid.rib_thickness;
   // A surface that is to be pressed flat starts with less standing out of it.
   const double margin = flattened ? 0 : protocol::margin_not_flattened * mean_size;
-  plan.emplace_back(FillStage{"fill lower half", underside, margin,
-                              mass_of_half(parameters_.filling.lower_bulk_density)});
-  if (flattened) plan.emplace_back(FlattenStage{"flatten", underside});
+  const double mass = mass_of_half(parameters_.filling.lower_bulk_density);
+  plan.emplace_back(FillStage{"fill lower half", underside, margin, mass});
+  if (!flattened) return;
+  const double room = mass > 0 ? protocol::room_below_ribs : 0;
+  plan.emplace_back(FlattenStage{"flatten", underside - room});
 }
 
 // From the placing of the geogrid on.

@@ -112,7 +112,7 @@ void describe_flatness(const PullOut& experiment, nlohmann::ordered_json& result
   results["geogrid_largest_sag_m"] = -lowest;
 }
 
-// Below the mean surface.
+// Below the mean surface; the apparent density is that of the paper, mass over volume of the box.
 void describe_density(const PullOut& experiment, double surface, nlohmann::ordered_json& results)
 {
   const dem::Clumps& clumps = experiment.world().engine.clumps();
@@ -120,6 +120,7 @@ void describe_density(const PullOut& experiment, double surface, nlohmann::order
   const double volume = box.length * box.width * surface, mass = mass_in_box(clumps, box);
   const SolidVolumes solid = solid_volumes(clumps, box);
   results["bulk_density_kg_per_m3"] = mass / volume;
+  results["apparent_density_kg_per_m3"] = mass / (box.length * box.width * box.height);
   results["porosity_of_stones"] = 1 - solid.stones / volume;
   results["porosity_of_clumps"] = 1 - solid.clumps / volume;
 }
