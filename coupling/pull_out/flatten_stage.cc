@@ -15,7 +15,6 @@ using Phase = FlattenStage::Phase;
 void lower_plate(FlattenStage& stage, PullOut& experiment)
 {
   experiment.world().make_whole();
-  experiment.ease_stones();
   dem::Engine& engine = experiment.world().engine;
   stage.from = highest_point(engine.clumps(), stage.height);
   dem::Wall plate =

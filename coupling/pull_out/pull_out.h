@@ -59,8 +59,7 @@ public:
   const dem::ContactProperties& stone_on_rib() const { return stone_on_rib_; }
   // Between stones while the box is filled (Filling/Stone friction).
   dem::ContactProperties filling_contact() const;
-  // Stones have the friction of the filling, or from now on that of the test.
-  void ease_stones() { world_.engine.stone_contact() = filling_contact(); }
+  // The box is full: stones have the friction of the test from now on.
   void end_filling() { world_.engine.stone_contact() = stone_on_stone_; }
   double geogrid_height() const { return 0.5 * parameters_.box.height; } // of its middle plane [m]
   std::unique_ptr<RibTransfer> make_geogrid() const; // unloaded, where it is placed
