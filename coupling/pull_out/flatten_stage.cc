@@ -42,9 +42,19 @@ void take_plate_away(FlattenStage& stage, PullOut& experiment)
   stage.settling = begin_settling(world, protocol::settling_after_plate, loosely_still);
 }
 
+// A mass was asked for, and has to fit below the plate.
+bool is_weighed_in(const FlattenStage& stage, const PullOut& experiment)
+{
+  const FillingParameters& filling = experiment.parameters().filling;
+  const bool is_lower = stage.height < experiment.geogrid_height();
+  return (is_lower ? filling.lower_bulk_density : filling.upper_bulk_density) > 0;
+}
+
 void warn_of_height(const FlattenStage& stage, const PullOut& experiment, RunRecords& records)
 {
-  if (stage.reached <= stage.height + protocol::level_tolerance * experiment.mean_size) return;
+  if (!is_weighed_in(stage, experiment) ||
+      stage.reached <= stage.height + protocol::level_tolerance * experiment.mean_size)
+    return;
   records.warn(fmt::format(
       "The plate stopped at {:.1f} mm instead of {:.1f} in stage \"{}\": the stones below carry "
       "Filling/Plate force limit. Lower Filling/Stone friction or the bulk density, or raise it.",

@@ -15,8 +15,9 @@ class PullOut;
 class RunRecords;
 
 // Presses what stands out of the surface down with a plate that moves at a prescribed speed, until
-// it is at `height` or the stones carry the force limit; then lifts the plate off. Warns where it
-// stops by more than the tolerance of protocol.h above the height.
+// it is at `height` or the stones carry the force limit; then lifts the plate off. Of a half
+// that was weighed in it warns where it stops by more than the tolerance of protocol.h above the
+// height.
 struct FlattenStage {
   static constexpr const char* kind = "flatten";
   enum class Phase { begin, pressing, lifting, settling };
