@@ -1,5 +1,7 @@
 #include "coupling/parameters/filling_declarations.h"
 
+#include "coupling/parameters/stone_contact.h"
+
 namespace interlock::coupling
 {
 void declare_filling(ParameterTable& table, FillingParameters& filling)
@@ -7,6 +9,9 @@ void declare_filling(ParameterTable& table, FillingParameters& filling)
   table.open_section("Filling");
   table.offer_seed("Seed", filling.seed,
                    "Seed of the order, places and attitudes of the stones in the hopper. [-]");
+  table.offer("Stone friction", filling.stone_friction, -1, pair_friction_range,
+              "Friction coefficient between stones until the box is full: a low one makes a dense "
+              "filling; -1: that of the test. [-]");
   table.require("Drop height", filling.drop_height, not_negative,
                 "Clear height between the surface and the lowest new stone. [m]");
   table.require("Plate speed", filling.plate_speed, positive,

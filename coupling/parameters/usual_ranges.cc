@@ -73,6 +73,8 @@ const std::vector<Row>& table()
       {{"Geogrid/Overhang"}, {1e-4, 2, lengths}},
       {{"Filling/Drop height", "Drop/Height", "Drop/Disc radius", "Measures/Radius"},
        {1e-4, 10, lengths}},
+      // From half-empty to rolled ballast of heavy rock.
+      {{"Filling/Lower bulk density", "Filling/Upper bulk density"}, {500, 4000, densities}},
       {{"Filling/Plate speed"}, {1e-4, 10, speeds}},
       {{"Filling/Plate force limit"}, {1, 1e6, forces}},
       {{"Filling/Settling time limit", "Drop/Settling time limit"}, {1e-3, 1000, times}},

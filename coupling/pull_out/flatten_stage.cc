@@ -41,6 +41,25 @@ void take_plate_away(FlattenStage& stage, PullOut& experiment)
   stage.phase = Phase::settling;
   stage.settling = begin_settling(world, protocol::settling_after_plate, loosely_still);
 }
+
+// A mass was asked for, and has to fit below the plate.
+bool is_weighed_in(const FlattenStage& stage, const PullOut& experiment)
+{
+  const FillingParameters& filling = experiment.parameters().filling;
+  const bool is_lower = stage.height < experiment.geogrid_height();
+  return (is_lower ? filling.lower_bulk_density : filling.upper_bulk_density) > 0;
+}
+
+void warn_of_height(const FlattenStage& stage, const PullOut& experiment, RunRecords& records)
+{
+  if (!is_weighed_in(stage, experiment) ||
+      stage.reached <= stage.height + protocol::level_tolerance * experiment.mean_size)
+    return;
+  records.warn(fmt::format(
+      "The plate stopped at {:.1f} mm instead of {:.1f} in stage \"{}\": the stones below carry "
+      "Filling/Plate force limit. Lower Filling/Stone friction or the bulk density, or raise it.",
+      1e3 * stage.reached, 1e3 * stage.height, stage.title));
+}
 } // namespace
 
 StageStatus before_step(FlattenStage& stage, PullOut& experiment, RunRecords& records)
@@ -55,6 +74,7 @@ StageStatus before_step(FlattenStage& stage, PullOut& experiment, RunRecords& re
         stage.largest_force < experiment.parameters().filling.plate_force_limit)
       return running(std::min(0.8, (stage.from - height) / (stage.from - stage.height)));
     lift_plate(stage, experiment);
+    warn_of_height(stage, experiment, records);
   }
   // Until the plate is clear of the stones.
   if (stage.phase == Phase::lifting) {

@@ -61,6 +61,7 @@ void add_surcharge(LoadStage& stage, PullOut& experiment)
 {
   World& world = experiment.world();
   world.make_whole();
+  experiment.end_filling();
   const SurchargeParameters& surcharge = experiment.parameters().surcharge;
   if (surcharge.kind == "plate")
     experiment.surcharge_plate = add_plate(experiment, world.engine);

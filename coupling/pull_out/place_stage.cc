@@ -49,6 +49,7 @@ void place(PlaceStage& stage, PullOut& experiment)
   open_slot(world.engine, experiment.parameters().box, experiment.stone_on_box(),
             experiment.geogrid_height(), experiment.walls);
   world.place_geogrid(std::move(geogrid));
+  experiment.first_above = world.engine.clumps().next_id();
   stage.placed = true;
   stage.settling = begin_settling(world, settling_after_removal, loosely_still);
 }

@@ -9,6 +9,13 @@ namespace interlock::coupling::protocol
 // presses the surface flat [-].
 constexpr double margin_not_flattened = 0.25, margin_at_top = 0.5;
 
+// A surface is level when the plate came this near to its height, as share of a mean stone [-].
+constexpr double level_tolerance = 0.1;
+
+// A half that is weighed in is pressed down so far below the geogrid, so that the ribs touch no
+// stone when they are laid: what springs back would be taken out whole, and leave a pit [m].
+constexpr double room_below_ribs = 1e-3;
+
 // Stones are left to settle at least so long after the plate was lifted, which unloads them without
 // a fall [s].
 constexpr double settling_after_plate = 0.01;

@@ -45,7 +45,7 @@ PullOut::PullOut(const PullOutParameters& parameters)
     : parameters_(parameters), stone_on_stone_(coupling::stone_on_stone(parameters.contact)),
       stone_on_box_(coupling::stone_on_box(parameters.contact)),
       stone_on_rib_(stone_on_geogrid(parameters)),
-      world_({}, stone_on_stone_, stone_on_rib_, parameters.gravity)
+      world_({}, filling_contact(), stone_on_rib_, parameters.gravity)
 {
 }
 
@@ -90,23 +90,47 @@ dem::StableStep PullOut::expected_stable_step() const
 std::vector<PullOut::Stage> PullOut::plan() const
 {
   if (start_) return plan_from_state();
-  const bool flattened = parameters_.geogrid.placement == "flattened";
-  const double underside = geogrid_height() - 0.5 * parameters_.geogrid.rib_thickness;
   std::vector<Stage> plan;
-  // A surface that is to be pressed flat starts with less standing out of it.
-  const double margin = flattened ? 0 : protocol::margin_not_flattened * mean_size;
-  plan.emplace_back(FillStage{"fill lower half", underside, margin});
-  if (flattened) plan.emplace_back(FlattenStage{underside});
+  append_lower_half(plan);
   append_upper_half(plan);
   return plan;
+}
+
+dem::ContactProperties PullOut::filling_contact() const
+{
+  dem::ContactProperties contact = stone_on_stone_;
+  contact.friction =
+      pair_friction(parameters_.filling.stone_friction, contact.friction, contact.friction);
+  return contact;
+}
+
+double PullOut::mass_of_half(double bulk_density) const
+{
+  const BoxParameters& box = parameters_.box;
+  return bulk_density * box.length * box.width * 0.5 * box.height;
+}
+
+void PullOut::append_lower_half(std::vector<Stage>& plan) const
+{
+  const bool flattened = parameters_.geogrid.placement == "flattened";
+  const double underside = geogrid_height() - 0.5 * parameters_.geogrid.rib_thickness;
+  // A surface that is to be pressed flat starts with less standing out of it.
+  const double margin = flattened ? 0 : protocol::margin_not_flattened * mean_size;
+  const double mass = mass_of_half(parameters_.filling.lower_bulk_density);
+  plan.emplace_back(FillStage{"fill lower half", underside, margin, mass});
+  if (!flattened) return;
+  const double room = mass > 0 ? protocol::room_below_ribs : 0;
+  plan.emplace_back(FlattenStage{"flatten", underside - room});
 }
 
 // From the placing of the geogrid on.
 void PullOut::append_upper_half(std::vector<Stage>& plan) const
 {
   plan.emplace_back(PlaceStage());
-  plan.emplace_back(
-      FillStage{"fill upper half", parameters_.box.height, protocol::margin_at_top * mean_size});
+  const double mass = mass_of_half(parameters_.filling.upper_bulk_density);
+  plan.emplace_back(FillStage{"fill upper half", parameters_.box.height,
+                              protocol::margin_at_top * mean_size, mass});
+  if (mass > 0) plan.emplace_back(FlattenStage{"flatten top", parameters_.box.height});
   if (parameters_.surcharge.force > 0) plan.emplace_back(LoadStage());
   plan.emplace_back(SettleStage());
   plan.emplace_back(PullStage());

@@ -57,6 +57,10 @@ public:
   const dem::ContactProperties& stone_on_stone() const { return stone_on_stone_; }
   const dem::ContactProperties& stone_on_box() const { return stone_on_box_; }
   const dem::ContactProperties& stone_on_rib() const { return stone_on_rib_; }
+  // Between stones while the box is filled (Filling/Stone friction).
+  dem::ContactProperties filling_contact() const;
+  // The box is full: stones have the friction of the test from now on.
+  void end_filling() { world_.engine.stone_contact() = stone_on_stone_; }
   double geogrid_height() const { return 0.5 * parameters_.box.height; } // of its middle plane [m]
   std::unique_ptr<RibTransfer> make_geogrid() const; // unloaded, where it is placed
   Pouring pouring() const;
@@ -78,13 +82,16 @@ public:
   int n_shapes = 0;              // of stones; the shape of the surcharge comes after them
   BoxWalls walls;
   dem::WallId surcharge_plate = -1; // -1: none
+  std::int64_t first_above = 0;     // id of the first stone that was poured on the geogrid
   int lost = 0;                     // stones that fell out of the slot
 
 private:
   void start_from(const std::filesystem::path& file, const std::vector<CaseEntry>& entries);
   std::vector<Stage> plan_from_state() const;
+  void append_lower_half(std::vector<Stage>& plan) const;
   void append_upper_half(std::vector<Stage>& plan) const;
-  dem::StableStep expected_stable_step() const; // of the stones, without a surcharge
+  double mass_of_half(double bulk_density) const; // [kg]
+  dem::StableStep expected_stable_step() const;   // of the stones, without a surcharge
   void choose_step(const dem::StableStep& stable);
 
   PullOutParameters parameters_;
@@ -103,6 +110,7 @@ template <class Archive> void exchange(Archive& archive, PullOut& experiment)
   archive("stone_shapes", experiment.n_shapes);
   archive("walls", experiment.walls);
   archive("surcharge_plate", experiment.surcharge_plate);
+  archive("first_stone_above_geogrid", experiment.first_above);
   archive("lost_stones", experiment.lost);
   bool placed = experiment.world().geogrid() != nullptr;
   archive("geogrid_is_placed", placed);

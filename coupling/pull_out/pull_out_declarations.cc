@@ -112,7 +112,15 @@ void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
   declare_geogrid(table, parameters.geogrid);
   declare_filling(table, parameters.filling);
   table.require("Plate force limit", parameters.filling.plate_force_limit, positive,
-                "The flattening plate stops pressing at this force. [N]");
+                "The plate that presses a surface level stops pressing at this force. [N]");
+  const auto offer_density = [&](const char* name, double& density, const char* text) {
+    table.offer(name, density, 0, not_negative, text);
+  };
+  offer_density("Lower bulk density", parameters.filling.lower_bulk_density,
+                "Mass poured for the lower half of the box over its volume; 0: as much as fills "
+                "it, and stones that stand out are taken off. [kg/m3]");
+  offer_density("Upper bulk density", parameters.filling.upper_bulk_density,
+                "The same of the upper half; a plate then presses its surface level. [kg/m3]");
   declare_loading(table, parameters);
   declare_time(table, parameters.time);
   declare_limits_and_output(table, parameters.limits, parameters.output);

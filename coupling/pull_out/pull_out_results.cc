@@ -99,6 +99,36 @@ void describe_usability(const PullStage& pull, const PullOut& experiment, Summar
                   [](const Bound& b) { return b.fails && b.left_at >= 0; }))
     summary.not_usable = sentence;
 }
+
+// How far the geogrid has left the plane in which it was laid. On all ranks: everything is whole.
+void describe_flatness(const PullOut& experiment, nlohmann::ordered_json& results)
+{
+  const fem::ExplicitDynamics& ribs = experiment.world().geogrid()->dynamics();
+  const int n = ribs.lattice().n_nodes();
+  double largest = 0, lowest = 0, squares = 0;
+  for (int node = 0; node < n; ++node) {
+    const double off = ribs.position(node).z() - ribs.lattice().reference_position(node).z();
+    largest = std::max(largest, std::abs(off));
+    lowest = std::min(lowest, off);
+    squares += off * off;
+  }
+  results["geogrid_largest_deviation_m"] = largest;
+  results["geogrid_rms_deviation_m"] = std::sqrt(squares / n);
+  results["geogrid_largest_sag_m"] = -lowest;
+}
+
+// Below the mean surface; the apparent density is that of the paper, mass over volume of the box.
+void describe_density(const PullOut& experiment, double surface, nlohmann::ordered_json& results)
+{
+  const dem::Clumps& clumps = experiment.world().engine.clumps();
+  const BoxParameters& box = experiment.parameters().box;
+  const double volume = box.length * box.width * surface, mass = mass_in_box(clumps, box);
+  const SolidVolumes solid = solid_volumes(clumps, box);
+  results["bulk_density_kg_per_m3"] = mass / volume;
+  results["apparent_density_kg_per_m3"] = mass / (box.length * box.width * box.height);
+  results["porosity_of_stones"] = 1 - solid.stones / volume;
+  results["porosity_of_clumps"] = 1 - solid.clumps / volume;
+}
 } // namespace
 
 // The state that the pull starts from.
@@ -114,9 +144,13 @@ void describe_packing(const PullOut& experiment, RunRecords& records)
   results["placement"] = p.geogrid.placement;
   results["stones"] = stones(clumps);
   results["mass_in_box_kg"] = mass;
-  results["mass_above_geogrid_kg"] = mass_above(clumps, p.box, experiment.geogrid_height());
+  const double above = mass_above(clumps, p.box, experiment.geogrid_height());
+  results["mass_above_geogrid_kg"] = above; // by the centres of the stones
+  results["mass_below_geogrid_kg"] = mass - above;
+  results["mass_poured_on_geogrid_kg"] = mass_since(clumps, p.box, experiment.first_above);
   results["mean_surface_height_m"] = surface;
-  results["bulk_density_kg_per_m3"] = mass / (p.box.length * p.box.width * surface);
+  describe_density(experiment, surface, results);
+  describe_flatness(experiment, results);
   results["rms_speed_before_pull_m_per_s"] =
       std::sqrt(2 * experiment.world().kinetic_energy() / total_mass);
   results["surcharge_N"] = p.surcharge.force;

@@ -15,16 +15,19 @@ class PullOut;
 class RunRecords;
 
 // Presses what stands out of the surface down with a plate that moves at a prescribed speed, until
-// it is at `height` or the stones carry the force limit; then lifts the plate off.
+// it is at `height` or the stones carry the force limit; then lifts the plate off. Of a half
+// that was weighed in it warns where it stops by more than the tolerance of protocol.h above the
+// height.
 struct FlattenStage {
   static constexpr const char* kind = "flatten";
   enum class Phase { begin, pressing, lifting, settling };
+  std::string title; // in the log
   double height = 0; // [m]
   Phase phase = Phase::begin;
   dem::WallId plate = -1;
   double from = 0, reached = 0; // heights of the plate [m]
   double largest_force = 0;     // [N]
-  Settling settling;
+  Settling settling = {};
 };
 
 // Puts the geogrid on the surface, takes out the stones in the way of its ribs, opens the slot.
@@ -106,6 +109,10 @@ template <class Stage> std::string stage_name(const Stage&)
 {
   return Stage::kind;
 }
+inline std::string stage_name(const FlattenStage& stage)
+{
+  return stage.title;
+}
 // Other runs may start with the placing of their geogrid, or with their pull.
 inline std::string start_state(const PlaceStage&)
 {
@@ -118,6 +125,7 @@ inline std::string start_state(const PullStage&)
 
 template <class Archive> void exchange(Archive& archive, FlattenStage& stage)
 {
+  archive("title", stage.title);
   archive("height", stage.height, "m");
   archive("phase", stage.phase);
   archive("plate", stage.plate);

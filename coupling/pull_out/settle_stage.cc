@@ -13,7 +13,10 @@ StageStatus before_step(SettleStage& stage, PullOut& experiment, RunRecords& rec
     stage.phase = phase;
     stage.settling = begin_settling(world, settling_after_removal, still);
   };
-  if (stage.phase == SettleStage::Phase::begin) wait(SettleStage::Phase::damped);
+  if (stage.phase == SettleStage::Phase::begin) {
+    experiment.end_filling();
+    wait(SettleStage::Phase::damped);
+  }
   if (!experiment.has_settled(stage.settling, records))
     return running(fraction_of(stage.settling, world));
   if (stage.phase == SettleStage::Phase::damped) {

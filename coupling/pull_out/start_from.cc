@@ -16,9 +16,11 @@ namespace interlock::coupling
 namespace
 {
 // What made the stones and the lower half.
-const std::vector<std::string> fixed_always = {
-    "Experiment", "Gravity",      "Stones/",           "Box/Length",           "Box/Width",
-    "Box/Height", "Filling/Seed", "Geogrid/Placement", "Geogrid/Rib thickness"};
+const std::vector<std::string> fixed_always = {"Experiment",        "Gravity",
+                                               "Stones/",           "Box/Length",
+                                               "Box/Width",         "Box/Height",
+                                               "Filling/Seed",      "Filling/Lower bulk density",
+                                               "Geogrid/Placement", "Geogrid/Rib thickness"};
 // And what the stones lie around.
 const std::vector<std::string> fixed_by_geogrid = {
     "Geogrid/Apertures along", "Geogrid/Apertures across", "Geogrid/Overhang",
@@ -28,9 +30,21 @@ const std::vector<std::string> fixed_by_geogrid = {
 const std::vector<std::string> without_effect_before_pull = {
     "Unusual values", "Start from", "Pull/", "Output/", "Limits/", "Geogrid/Break strain"};
 // What matters from the placing of the geogrid on only.
-const std::vector<std::string> without_effect_before_geogrid = {
-    "Unusual values", "Start from", "Pull/",           "Output/", "Limits/",
-    "Geogrid/",       "Surcharge/", "Box/Slot height", "Filling/"};
+const std::vector<std::string> without_effect_before_geogrid = {"Unusual values",
+                                                                "Start from",
+                                                                "Pull/",
+                                                                "Output/",
+                                                                "Limits/",
+                                                                "Geogrid/",
+                                                                "Surcharge/",
+                                                                "Box/Slot height",
+                                                                "Filling/Drop height",
+                                                                "Filling/Plate speed",
+                                                                "Filling/Plate force limit",
+                                                                "Filling/Local damping",
+                                                                "Filling/Kinetic energy ratio",
+                                                                "Filling/Settling time limit",
+                                                                "Filling/Upper bulk density"};
 
 bool any_outside(const std::vector<std::string>& keys, const std::vector<std::string>& list)
 {
@@ -112,7 +126,8 @@ std::vector<PullOut::Stage> PullOut::plan_from_state() const
 void PullOut::adapt()
 {
   dem::Engine& engine = world_.engine;
-  engine.stone_contact() = stone_on_stone_;
+  engine.stone_contact() =
+      start_ && !start_->geogrid_is_placed ? filling_contact() : stone_on_stone_;
   world_.ribs.stone_on_rib() = stone_on_rib_;
   for (dem::Wall& wall : engine.walls()) wall.contact = stone_on_box_;
   engine.set_local_damping(parameters_.filling.local_damping);

@@ -38,8 +38,9 @@ ShearBox::ShearBox(const ShearBoxParameters& parameters)
     : parameters_(parameters),
       world_({}, stone_on_stone(parameters.contact), {}, parameters.gravity)
 {
-  if (parameters.filling_friction >= 0)
-    world_.engine.stone_contact().friction = parameters.filling_friction;
+  world_.engine.stone_contact().friction =
+      pair_friction(parameters.filling.stone_friction, parameters.contact.stone_friction,
+                    parameters.contact.stone_friction);
 }
 
 void ShearBox::prepare(const Monitor& monitor, const std::vector<CaseEntry>&)

@@ -76,10 +76,6 @@ void declare_shear_box(ParameterTable& table, ShearBoxParameters& parameters)
   declare_box(table, parameters);
   declare_stone_contact(table, parameters.contact);
   declare_filling(table, parameters.filling);
-  table.offer(
-      "Stone friction", parameters.filling_friction, -1, pair_friction_range,
-      "Friction coefficient between stones until the test: a low one makes a dense filling; "
-      "-1: that of the test. [-]");
   declare_test(table, parameters);
   declare_time(table, parameters.time);
   declare_limits_and_output(table, parameters.limits, parameters.output);

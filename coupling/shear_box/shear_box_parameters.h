@@ -25,7 +25,6 @@ struct ShearBoxParameters {
   double normal_stress = 0; // on the plane between the halves, weight of the stones included [Pa]
   StoneContactParameters contact;
   FillingParameters filling;
-  double filling_friction = -1; // of stones on stones until the test; -1: that of the test [-]
   ShearParameters shear;
   TimeParameters time;
   LimitParameters limits;

@@ -1,5 +1,7 @@
 #include "coupling/stones/filled_box.h"
 
+#include "dem/generator/union_volume.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -15,6 +17,11 @@ constexpr double ray_spacing = 5e-3; // a tenth of a stone or so [m]
 bool is_stone(const dem::Clumps& clumps, int i)
 {
   return clumps.kind[i] == dem::BodyKind::stone;
+}
+
+bool is_inside(const BoxParameters& box, const Vector3& x)
+{
+  return x.x() > 0 && x.x() < box.length && x.z() > 0;
 }
 
 template <class Function> void for_each_sphere(const dem::Clumps& clumps, int i, const Function& f)
@@ -93,9 +100,31 @@ double mass_above(const dem::Clumps& clumps, const BoxParameters& box, double he
   double mass = 0;
   for (int i = 0; i < clumps.size(); ++i) {
     const Vector3 x = clumps.position[i];
-    if (is_stone(clumps, i) && x.x() > 0 && x.x() < box.length && x.z() > 0 && x.z() > height)
-      mass += clumps.mass[i];
+    if (is_stone(clumps, i) && is_inside(box, x) && x.z() > height) mass += clumps.mass[i];
   }
   return mass;
+}
+
+double mass_since(const dem::Clumps& clumps, const BoxParameters& box, std::int64_t id)
+{
+  double mass = 0;
+  for (int i = 0; i < clumps.size(); ++i)
+    if (is_stone(clumps, i) && clumps.id[i] >= id && is_inside(box, clumps.position[i]))
+      mass += clumps.mass[i];
+  return mass;
+}
+
+SolidVolumes solid_volumes(const dem::Clumps& clumps, const BoxParameters& box)
+{
+  std::vector<double> unions;
+  for (const dem::ClumpShape& shape : clumps.shapes())
+    unions.push_back(dem::UnionVolume(shape.spheres).volume());
+  SolidVolumes sum;
+  for (int i = 0; i < clumps.size(); ++i)
+    if (is_stone(clumps, i) && is_inside(box, clumps.position[i])) {
+      sum.stones += clumps.shape_of(i).volume;
+      sum.clumps += unions[clumps.shape[i]];
+    }
+  return sum;
 }
 } // namespace interlock::coupling

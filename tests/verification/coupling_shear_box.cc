@@ -200,7 +200,7 @@ TEST_F(ShearBoxTest, PouredStonesAreInBalance)
   p.contact.stone_stiffness = p.contact.box_stiffness = 1e7;
   p.contact.stone_friction = 0.6;
   p.filling.drop_height = 0.02;
-  p.filling_friction = 0.1;
+  p.filling.stone_friction = 0.1;
   p.filling.kinetic_energy_ratio = 1e-6;
   Poured box(p);
   RunRequest request;
