@@ -175,24 +175,34 @@ TEST(Crushing, AtARibAndAfterARestart)
   EXPECT_NEAR(energy.crushing, crushed, 1e-6 * crushed);
 }
 
-// Thrown clumps of many spheres on a floor: everything that came in is there, in motion, in springs
-// or booked as lost; as well as without crushing, to a factor of 2 for chance.
+// Thrown clumps of many spheres, some of them pressed together at the begin: motion, springs and
+// what is booked as lost add up to the same at any time: with linear springs as well as without
+// crushing, to a factor of 2 for chance.
 TEST(Crushing, LedgerOfACrowdClosesAsBefore)
 {
+  const auto total = [](const EngineEnergy& e) {
+    return e.kinetic + e.gravitational + e.contact.elastic + e.contact.friction +
+           e.contact.damping + e.contact.crushing - e.wall_work;
+  };
   std::map<std::string, double> error;
   for (const crowd::Law& law : crowd::laws()) {
     if (law.pair.share_among_contacts) continue;
     Engine engine = crowd::thrown(5, law.pair).engine;
+    engine.compute_forces(crowd::time_step);
+    const EngineEnergy begin = engine.energy(crowd::time_step);
+    engine.kick_all(crowd::time_step);
+    engine.drift_all(crowd::time_step);
     for (int n = 0; n < 3000; ++n) engine.step(crowd::time_step);
     engine.compute_forces(crowd::time_step);
-    const EngineEnergy e = engine.energy(crowd::time_step);
-    const double put_in = e.inserted + e.wall_work - e.gravitational,
-                 found = e.kinetic + e.contact.elastic + e.contact.friction + e.contact.damping +
-                         e.contact.crushing;
-    EXPECT_EQ(e.contact.crushing > 0.05 * put_in, law.pair.crushing_pressure > 0) << law.name;
-    error[law.name] = std::abs(found - put_in) / put_in;
+    const EngineEnergy end = engine.energy(crowd::time_step);
+    const double work =
+        begin.kinetic + begin.contact.elastic + begin.gravitational - end.gravitational;
+    EXPECT_EQ(end.contact.crushing > 0.05 * work, law.pair.crushing_pressure > 0) << law.name;
+    error[law.name] = std::abs(total(end) - total(begin)) / work;
     record("error_" + law.name, error[law.name]);
   }
   EXPECT_LT(error["LinearCrushing"], 2 * error["Linear"] + 1e-4);
-  EXPECT_LT(error["HertzMindlinCrushing"], 2 * error["HertzMindlin"] + 1e-4);
+  // Not as good: the mean of two forces is not what a curved law does in a coarse step, and what
+  // crushes does not come back (docs/theory/crushing.md). Half the bound of a run's ledger.
+  EXPECT_LT(error["HertzMindlinCrushing"], 5e-3);
 }
