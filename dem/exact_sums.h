@@ -22,6 +22,8 @@ template <int exponent, class Number> Number on_grid(const Number& x)
 
 // Forces of contacts on walls: to 6e-11 N, up to 524 kN in all; moments likewise [N m].
 constexpr int force_grid = -34;
+// The force of a clamp, over ends of ribs and sub-steps: to 5e-10 N, up to 8.4 MN.
+constexpr int clamp_grid = -30;
 // How much such a force changes by the speed of the wall: to 1e-8 N s/m, up to 1e8 N s/m.
 constexpr int response_grid = -26;
 // What contacts with ribs do in a sub-step: to 9e-16 J, up to 8 J in all.

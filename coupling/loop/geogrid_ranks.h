@@ -29,7 +29,7 @@ public:
   GeogridRanks(const dem::Domain& domain, const dem::Clumps& clumps, RibTransfer& geogrid);
 
   bool moves_here() const { return group_.is_member(); }
-  bool moves_everywhere() const { return group_.is_everybody(); }
+  bool moves_everywhere() const { return parts_ || group_.is_everybody(); }
 
   // The loads of all contacts that load ribs which are moved here, from those that this rank has
   // evaluated last, in the order of (id of the clump, sphere, line). Collective among the ranks of

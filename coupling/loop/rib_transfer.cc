@@ -113,7 +113,7 @@ dem::Vector3 RibTransfer::clamp_force() const
   dem::Vector3 sum(0, 0, 0);
   for (const int slot : clamped_)
     for (int c = 0; c < 3; ++c)
-      sum[c] += dem::on_grid<dem::force_grid>(dynamics_.slot_clamp_forces()[c][slot]);
+      sum[c] += dem::on_grid<dem::clamp_grid>(dynamics_.slot_clamp_forces()[c][slot]);
   return sum;
 }
 

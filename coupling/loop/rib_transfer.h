@@ -63,7 +63,7 @@ public:
   int required_substeps(double dt, const SubstepNeeds& needs, double damping_ratio) const;
 
   // Mean force of the clamp on the lattice over the last step, of the nodes that are moved here:
-  // its terms are on the grid of forces (dem/exact_sums.h) [N].
+  // its terms are on a grid (dem/exact_sums.h) [N].
   dem::Vector3 clamp_force() const;
 
   // From now on these blocks of slots are moved here, and the motion of `known` slots comes from

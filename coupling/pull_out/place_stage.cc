@@ -68,6 +68,7 @@ StageStatus before_step(PlaceStage& stage, PullOut& experiment, RunRecords& reco
   if (!stage.placed) place(stage, experiment);
   if (!experiment.has_settled(stage.settling, records))
     return running(fraction_of(stage.settling, experiment.world()));
+  experiment.world().make_whole();
   const RibTransfer& geogrid = *experiment.world().geogrid();
   return finished(fmt::format("{} beam elements, {:.1f} g, {}; {} stones in the way of ribs were "
                               "taken out",

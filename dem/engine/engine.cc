@@ -25,10 +25,12 @@ double seconds(Clock::time_point from, Clock::time_point to)
          0.5 * clumps.angular_momentum[i].dot(clumps.spin[i]);
 }
 
-// What new lanes remember of a stiffness that is always the same: written here once, since writing
-// it at every evaluation costs 3 % of a step. A contact that goes on under another law needs it.
-void set_constant_stiffness(const ContactProperties& pair, WallSegment range, ContactLanes& lanes)
+// What new lanes remember that is always the same: written here once, since writing it at every
+// evaluation costs 3 % of a step. A contact that goes on under another law needs it.
+void set_constants(const ContactProperties& pair, WallSegment range, ContactLanes& lanes)
 {
+  if (pair.crushing_pressure == 0)
+    for (int k = range.begin; k < range.end; ++k) lanes.block(k).crushed[k % lane_width] = 0;
   if (pair.model != ContactModel::linear || pair.share_among_contacts) return;
   for (int k = range.begin; k < range.end; ++k)
     lanes.block(k).tangential_stiffness[k % lane_width] = pair.tangential_stiffness;
@@ -135,9 +137,9 @@ void Engine::compute_forces(double dt)
   const auto start = Clock::now();
   if (lists_.update(clumps_, walls_, dt, gravity_)) {
     sums_.clear(clumps_.size());
-    set_constant_stiffness(stone_on_stone_, {0, lists_.pair_lanes().size()}, lists_.pair_lanes());
+    set_constants(stone_on_stone_, {0, lists_.pair_lanes().size()}, lists_.pair_lanes());
     for (std::size_t w = 0; w < walls_.size(); ++w)
-      set_constant_stiffness(walls_[w].contact, lists_.wall_segments()[w], lists_.wall_lanes());
+      set_constants(walls_[w].contact, lists_.wall_segments()[w], lists_.wall_lanes());
   }
   const auto listed = Clock::now();
   records_.take(clumps_);

@@ -41,8 +41,15 @@ void RibListWatch::begin(const Clumps& clumps, const RibSet& ribs, ScalarField r
 {
   x_ = clumps.position;
   q_ = clumps.orientation;
-  rib_x_ = ribs.position;
-  rib_q_ = ribs.rotation;
+  rib_x_.resize(ribs.position.size());
+  rib_q_.resize(ribs.rotation.size());
+  for (const EndRange& there : ribs.present_ends()) {
+    const auto copy = [&](const double* from, double* to) {
+      std::copy(from + there.begin, from + there.end, to + there.begin);
+    };
+    for (int c = 0; c < 3; ++c) copy(ribs.position.row(c), rib_x_.row(c));
+    for (int c = 0; c < 4; ++c) copy(ribs.rotation.row(c), rib_q_.row(c));
+  }
   room_ = std::move(room);
   beyond_.resize(clumps.size());
   for (ScalarField* field : {&way_, &turn_, &speed_, &spin_}) field->resize(ribs.position.size());

@@ -55,8 +55,9 @@ inline double residual_shear(double shear, double bending, double length)
 //   centre line; so b = s (2 - 4 s/5).
 // * The arc of curvature k is (k h)^2/24 longer than its chord.
 // Without it sections would tip over as soon as the tension exceeds S*; with it the element
-// converges with the fourth order where shear is small, in the plane: out of the plane of a bent rib
-// the order is two, because the bow is not coupled to the twist that goes with it.
+// converges with the fourth order where shear is small, for ribs that were straight and bend in a
+// plane. Where they were curved, and out of the plane of a bent rib, the order is two: the bow is
+// not coupled to the twist that goes with it (docs/theory/geogrid.md).
 inline double residual_bowing(double shear, double bending, double length)
 {
   const double share = 1 / (1 + 12 * bending / (shear * length * length));

@@ -11,8 +11,8 @@ CASES is one of
     FILE     a parameter file, on each number of ranks
 
 Ranks deal their stones anew at every 500th step besides (random cases: every 50th to never), so that this happens
-in short runs, too. Pull-outs on two and on most ranks are run again with the geogrid's lattice shared out among the
-ranks, which only large ones are otherwise.
+in short runs, too. Pull-outs are run again with the geogrid's lattice shared out among the ranks, which only large
+ones are otherwise: the plain one on each number of ranks, others on most.
 """
 import argparse
 import json
@@ -132,7 +132,8 @@ def on_each_number(runner, cases, numbers):
             yield f"{name}: 1 rank: FAILED, exit code {code}", False
             continue
         yield f"{name}: 1 rank, {time.time() - begin:.1f} s, state_hash {hash_of(runner.folder / 'one')}", True
-        in_parts = [(n, True) for n in sorted({min(numbers), max(numbers)})] if case == SMALL else []
+        in_parts = [(n, True) for n in numbers] if case == SMALL and not entries else []
+        in_parts += [(max(numbers), True)] if case == SMALL and entries else []
         for ranks, runner.lattice_in_parts in [(n, False) for n in numbers] + in_parts:
             begin = time.time()
             code = runner.run("several", case, entries, ranks)
