@@ -138,6 +138,26 @@ TEST(Crushing, ImpactLeavesWhatTheClosedFormSays)
   }
 }
 
+// A packing that has crushed goes on under a law that does not: what was permanent is forgotten, in
+// the force and wherever contacts are asked for.
+TEST(Crushing, GoesOnWithoutIt)
+{
+  Engine engine({ball(R)}, linear(), 0);
+  const double overlap = 1e-4, dt = 1e-7;
+  engine.add_clump(0, 2650, {0, 0, 0}, Quaternion::Identity());
+  engine.add_clump(0, 2650, {0, 0, 2 * R - overlap}, Quaternion::Identity());
+  engine.compute_forces(dt);
+  const double crushing = engine.clumps().force[1].z();
+  EXPECT_LT(crushing, 0.6 * stiffness * overlap);
+  engine.stone_contact().crushing_pressure = 0;
+  engine.replace_clumps({engine.clumps().state_of(0), engine.clumps().state_of(1)},
+                        engine.memory());
+  engine.compute_forces(dt);
+  EXPECT_NEAR(engine.clumps().force[1].z(), stiffness * overlap, 1e-9 * stiffness * overlap);
+  EXPECT_EQ(engine.stable_step().contacts, 1);
+  EXPECT_NEAR(engine.energy(dt).contact.elastic, 0.5 * stiffness * overlap * overlap, 1e-9);
+}
+
 // At a rib the same, with the radius of the sphere, and what it remembers goes on with the same
 // digits.
 TEST(Crushing, AtARibAndAfterARestart)
