@@ -59,7 +59,8 @@ FIXED = [
 
 def environment(deal_every, lattice_in_parts):
     values = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", INTERLOCK_DEAL_EVERY=str(deal_every),
-                  INTERLOCK_WHOLE_LATTICE_UP_TO="0" if lattice_in_parts else "2000", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                  INTERLOCK_WHOLE_LATTICE_UP_TO="0" if lattice_in_parts else "2000",
+                  OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                   OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_btl_vader_single_copy_mechanism="none",
                   OMPI_MCA_btl_base_warn_component_unused="0", OMPI_MCA_hwloc_base_binding_policy="none",
                   OMPI_MCA_mpi_yield_when_idle="1")
