@@ -4,7 +4,7 @@
 
 #include "coupling/parameters/parameter_problems.h"
 #include "coupling/parameters/parameter_table.h"
-#include "dem/contacts/contact_law.h"
+#include "dem/contacts/contact_properties.h"
 
 namespace interlock::coupling
 {

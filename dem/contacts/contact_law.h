@@ -1,6 +1,6 @@
 // Contact laws with Coulomb friction: pure functions of one contact, for any number type: bundles
 // of lanes for stones and walls (lanes/contact_forces.cc), plain numbers in vector lanes for ribs,
-// one by one for walls of triangles.
+// one by one for walls of triangles (single_contact.h).
 //
 // Normal: spring and dashpot. Tangential: spring with history and dashpot, limited by the Coulomb
 // cone; the spring turns with the contact. Linear: springs of two bodies act in series (Ferellec
@@ -11,58 +11,15 @@
 // (docs/theory/crushing.md).
 #pragma once
 
+#include "dem/contacts/contact_properties.h"
 #include "dem/lane_vector.h"
+#include "dem/vector.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace interlock::dem
 {
-enum class ContactModel { linear, hertz_mindlin };
-
-// Of one pair of materials.
-struct ContactProperties {
-  ContactModel model = ContactModel::linear;
-  // Of the linear model, of the pair [N/m].
-  double normal_stiffness = 0;
-  double tangential_stiffness = 0;
-  // Of the Hertz-Mindlin model [Pa]: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2, 1/G* = (2-nu1)/G1 +
-  // (2-nu2)/G2.
-  double effective_modulus = 0;
-  double effective_shear_modulus = 0;
-  double friction = 0; // Coulomb coefficient [-]
-  // Dashpots, normal and tangential: c / (2 sqrt(k m)) for the linear model; for Hertz-Mindlin the
-  // ratio that gives the same restitution (damping_ratio_for_restitution) [-].
-  double damping_ratio = 0;
-  // Besides: dashpots of this rate times the reduced mass [1/s].
-  double normal_damping_rate = 0;
-  double tangential_damping_rate = 0;
-  // Convention for the end of an impact: at zero force (no tension, the default), or at zero
-  // overlap, with tension in between. The same damping ratio gives different restitution (Schwager
-  // and Poeschel, Granular Matter 9 (2007) 465-469).
-  bool tension = false;
-  // Contacts of the same two clumps (or of a clump and a wall) share one stiffness and one dashpot
-  // instead of bringing one each (docs/theory/engine.md).
-  bool share_among_contacts = false;
-  // Mean pressure at which the surfaces crush; 0: they never do. Granite: 3e8 to 7.5e8, three times
-  // (Johnson 1985, section 6.2) an unconfined strength of 1e8 to 2.5e8; single crystals are an
-  // order harder. That crushed contacts of granite go on at a constant stiffness is measured by
-  // Altuhafi, Baudet and Coop, Granular Matter 26 (2024), doi 10.1007/s10035-024-01394-7. Not
-  // together with shared contacts, and not at walls of triangles [Pa].
-  double crushing_pressure = 0;
-};
-
-struct Elastic {
-  double youngs_modulus = 0; // [Pa]
-  double poisson_ratio = 0;  // [-]
-};
-// Hertz-Mindlin properties of two elastic bodies.
-ContactProperties hertz_mindlin_pair(const Elastic& a, const Elastic& b, double friction,
-                                     double damping_ratio);
-
-// -ln e / sqrt(pi^2 + ln^2 e): exact for impacts with tension, of either model. 0 < e <= 1.
-double damping_ratio_for_restitution(double restitution);
-
 // What one contact has of a contact that the same two bodies share (contact_shares.cc).
 template <class Number> struct ShareOf {
   Number depth = 0;    // overlap of the shared contact [m]
@@ -74,28 +31,6 @@ using ContactShare = ShareOf<double>;
 // [m]. The share counts if contacts of this pair share anything.
 double stored_energy(const ContactProperties& pair, double overlap, double reduced_radius,
                      double spring, const ContactShare& share);
-
-// Tangent stiffnesses of one contact at this overlap [N/m].
-struct TangentStiffness {
-  double normal = 0, tangential = 0;
-};
-TangentStiffness tangent_stiffness(const ContactProperties& pair, double overlap,
-                                   double reduced_radius);
-
-// Springs in series [N/m].
-inline double series_stiffness(double k1, double k2)
-{
-  return k1 * k2 / (k1 + k2);
-}
-
-// Running sums over contacts and steps [J]. `elastic` is the energy stored now; the others have
-// gone since the beginning.
-struct ContactEnergy {
-  double elastic = 0;
-  double friction = 0; // slip, and what tangential springs lose when they become softer
-  double damping = 0;
-  double crushing = 0; // work that permanent overlap has taken
-};
 
 // What one contact is made of; constant while it is on a list.
 template <class Number> struct ConstantsOf {
@@ -115,6 +50,14 @@ template <class Number> struct HistoryOf {
   Number crushed = 0;                  // permanent part of the overlap, which makes no force [m]
 };
 using LaneHistory = HistoryOf<double>;
+
+// The same with Eigen's vectors.
+struct ContactHistory {
+  Vector3 spring = Vector3::Zero();  // see LaneHistory [m]
+  double overlap = 0;                // [m]
+  Vector3 dashpot = Vector3::Zero(); // [N]
+  double crushed = 0;                // see LaneHistory [m]
+};
 
 // What a law makes of an overlap: elastic force [N], tangential stiffness [N/m], dashpots [N s/m].
 template <class Number> struct ResponseOf {
@@ -217,9 +160,10 @@ using LaneEnergy = EnergyOf<double>;
 // dashpots dissipate the mean of their old and new force times the relative motion, friction the
 // mean spring force times the slip, and neither has an error of first order in the step. A contact
 // that has opened fades its last dashpot force over the part of the step in which it still touched,
-// and what its spring still holds is lost to friction. What crushes takes the mean of the old and
-// the new elastic force times the permanent overlap that is new; a contact that has been crushed
-// opens where its elastic part ends, and forgets when the surfaces part.
+// and what its spring still holds is lost to friction. In a step in which a contact crushes, what
+// the mean elastic force does over the whole overlap and the springs do not store is crushed; a
+// contact that has been crushed opens where its elastic part ends, and forgets when the surfaces
+// part.
 template <bool shared, class Law, class Number>
 INTERLOCK_LANE LaneVector<Number>
 contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
@@ -237,9 +181,11 @@ contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
     const Number before = select(overlap > zero, history.crushed, zero), elastic = overlap - before;
     overlap = select(elastic > zero, law.elastic_part(whole, larger(elastic, zero), c), elastic);
     const Number now = select(elastic > overlap, whole - overlap, before),
-                 old_force = law.at(old_depth, c).force,
-                 new_force = law.at(larger(overlap, zero), c).force;
-    energy.crushing = energy.crushing + 0.5 * ((old_force + new_force) * (now - before));
+                 now_depth = larger(overlap, zero), old_force = law.at(old_depth, c).force,
+                 new_force = law.at(now_depth, c).force,
+                 work = 0.5 * ((old_force + new_force) * (whole - history.overlap)),
+                 stored = Law::energy_factor * (new_force * now_depth - old_force * old_depth);
+    energy.crushing = energy.crushing + select(now > before, work - stored, zero);
     history.crushed = now;
   }
   const auto touching = overlap > zero;
@@ -325,78 +271,5 @@ contact_force(const Law& law, const ConstantsOf<Number>& c, Number overlap,
     history.overlap = depth;
   history.tangential_stiffness = k_t; // of every law: the next one may be another
   return f_n * normal - against;
-}
-
-// One contact at a time, for mesh walls: the same law with Eigen's vectors.
-struct ContactHistory {
-  Vector3 spring = Vector3::Zero();  // see LaneHistory [m]
-  double overlap = 0;                // [m]
-  Vector3 dashpot = Vector3::Zero(); // [N]
-  double crushed = 0;                // see LaneHistory [m]
-};
-
-// Turns the tangential spring with the contact: by `turn` (mean spin of the two bodies times the
-// step) [rad], then out of its plane into the one normal to `normal`, keeping its length.
-inline void rotate_spring(Vector3& spring, const Vector3& normal, const Vector3& turn)
-{
-  const double old_length_squared = spring.squaredNorm();
-  if (old_length_squared == 0) return;
-  spring += turn.cross(spring).eval();
-  spring -= normal.dot(spring) * normal;
-  const double length_squared = spring.squaredNorm();
-  if (length_squared > 0) spring *= std::sqrt(old_length_squared / length_squared);
-}
-
-// contact_force() of the linear model for an `overlap` > 0; history.spring must have been turned by
-// rotate_spring().
-INTERLOCK_LANE Vector3 linear_contact_force(const ContactProperties& pair, double reduced_mass,
-                                            double overlap, const Vector3& normal,
-                                            const Vector3& relative_velocity, double time_step,
-                                            ContactHistory& history, ContactEnergy& energy)
-{
-  LaneHistory h{lane(history.spring), lane(history.dashpot), history.overlap,
-                pair.tangential_stiffness};
-  LaneEnergy e;
-  const Lane3 force = contact_force<false>(
-      LinearLaw(pair), {reduced_mass, std::sqrt(reduced_mass), 0}, overlap, lane(normal),
-      lane(relative_velocity), Lane3{0, 0, 0}, {}, time_step, h, e);
-  history = {vector(h.spring), h.overlap, vector(h.dashpot)};
-  energy.elastic += e.elastic;
-  energy.friction += e.friction;
-  energy.damping += e.damping;
-  return vector(force);
-}
-
-// Ends a contact that has opened by `gap` [m].
-inline void end_contact(const ContactProperties& pair, double gap, const Vector3& relative_velocity,
-                        double time_step, ContactHistory& history, ContactEnergy& energy)
-{
-  const double touching = history.overlap / (history.overlap + gap);
-  energy.damping += 0.5 * touching * time_step * history.dashpot.dot(relative_velocity);
-  energy.friction += 0.5 * pair.tangential_stiffness * history.spring.squaredNorm();
-  history = ContactHistory();
-}
-
-template <class Archive> void exchange(Archive& archive, ContactProperties& pair)
-{
-  archive("model", pair.model);
-  archive("normal_stiffness", pair.normal_stiffness, "N/m");
-  archive("tangential_stiffness", pair.tangential_stiffness, "N/m");
-  archive("effective_modulus", pair.effective_modulus, "Pa");
-  archive("effective_shear_modulus", pair.effective_shear_modulus, "Pa");
-  archive("friction", pair.friction);
-  archive("damping_ratio", pair.damping_ratio);
-  archive("normal_damping_rate", pair.normal_damping_rate, "1/s");
-  archive("tangential_damping_rate", pair.tangential_damping_rate, "1/s");
-  archive("tension", pair.tension);
-  archive("share_among_contacts", pair.share_among_contacts);
-  archive("crushing_pressure", pair.crushing_pressure, "Pa");
-}
-template <class Archive> void exchange(Archive& archive, ContactEnergy& energy)
-{
-  archive("elastic", energy.elastic, "J");
-  archive("friction", energy.friction, "J");
-  archive("damping", energy.damping, "J");
-  archive("crushing", energy.crushing, "J");
 }
 } // namespace interlock::dem

@@ -1,5 +1,6 @@
 #include "dem/engine/rolling_resistance.h"
 
+#include "dem/contacts/single_contact.h"
 #include "dem/exact_sums.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // The contacts of MeshContacts and their forces; the lists are in mesh_contact_list.cc.
 #include "dem/walls/mesh_contacts.h"
 
+#include "dem/contacts/single_contact.h"
 #include "dem/exact_sums.h"
 #include "dem/input_error.h"
 

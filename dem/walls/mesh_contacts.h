@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dem/bodies/clumps.h"
+#include "dem/contacts/contact_law.h"
 #include "dem/walls/mesh_wall.h"
 
 #include <map>

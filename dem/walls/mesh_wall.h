@@ -2,7 +2,7 @@
 // belts, anything drawn elsewhere; a rectangle is cheaper as a Wall (wall.h).
 #pragma once
 
-#include "dem/contacts/contact_law.h"
+#include "dem/contacts/contact_properties.h"
 #include "dem/meshes/triangle_mesh.h"
 
 #include <memory>

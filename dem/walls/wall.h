@@ -2,7 +2,7 @@
 // and below its slot, and the flattening plate are all of them.
 #pragma once
 
-#include "dem/contacts/contact_law.h"
+#include "dem/contacts/contact_properties.h"
 #include "dem/contacts/contact_memory.h"
 
 #include <string>

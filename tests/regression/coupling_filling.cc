@@ -1,9 +1,9 @@
 // Halves of a small box that are weighed in and pressed level. Fails when the mass is another one
 // than asked for, when the plate stops above its height without a warning, when stones keep the
 // friction of the filling for the pull, or when mass, volumes and porosities contradict each other.
-#include "coupling/pull_out/pull_out.h"
 #include "coupling/stones/filled_box.h"
 #include "tests/run_case.h"
+#include "tests/small_pull_out_case.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -17,45 +17,20 @@ namespace
 {
 PullOutParameters small_box()
 {
-  PullOutParameters p;
-  p.stones.count = 12;
-  p.stones.density = 2650;
-  p.stones.r_min = 2e-3;
-  p.stones.p_max = 100;
+  PullOutParameters p = small_pull_out_case();
   p.stones.max_spheres = 20;
   p.stones.sphere_order = "gain";
   p.stones.bulge = 2e-3;
-  p.box = {0.16, 0.14, 0.16, 0.02};
-  p.contact.stone_stiffness = p.contact.box_stiffness = 1e7;
-  p.contact.stone_friction = 0.6;
-  p.contact.tangential_ratio = 1;
-  p.contact.damping_ratio = 0.3;
+  p.box.height = 0.16;
   p.geogrid_contact.stiffness = 1e7;
-  p.geogrid_contact.friction = 0.7;
-  p.geogrid_contact.damping_ratio = 0.1;
   p.geogrid.placement = "flattened";
-  p.geogrid.apertures_along = p.geogrid.apertures_across = 2;
-  p.geogrid.pitch_along = p.geogrid.pitch_across = 0.065;
-  p.geogrid.overhang = 5e-3;
-  p.geogrid.rib_width = 5e-3;
-  p.geogrid.rib_thickness = 2.5e-3;
-  p.geogrid.edge_rounding = 5e-4;
-  p.geogrid.youngs_modulus = 2.4e9;
-  p.geogrid.poisson_ratio = 0.3;
-  p.geogrid.density = 910;
-  p.geogrid.elements_per_rib = 4;
-  p.geogrid.mass_damping = 100;
   p.filling.stone_friction = 0;
   p.filling.lower_bulk_density = p.filling.upper_bulk_density = 1300;
-  p.filling.drop_height = 0.01;
   p.filling.plate_speed = 0.2;
   p.filling.plate_force_limit = 5000;
-  p.filling.local_damping = 0.5;
-  p.filling.kinetic_energy_ratio = 1e-3;
-  p.filling.settling_time_limit = 1;
   p.pull = {0.2, 5e-4, 1e-3};
-  p.time.safety_factor = 0.6;
   p.output.records = 5;
+  p.output.field_frames = 0;
   return p;
 }
 

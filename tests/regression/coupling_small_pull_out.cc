@@ -6,6 +6,7 @@
 #include "coupling/files/hdf5_memory.h"
 #include "coupling/pull_out/pull_out.h"
 #include "tests/run_case.h"
+#include "tests/small_pull_out_case.h"
 
 #include <gtest/gtest.h>
 
@@ -21,53 +22,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-PullOutParameters small_case()
-{
-  PullOutParameters p;
-  p.stones.count = 12;
-  p.stones.density = 2650;
-  p.stones.d_min = 1e-3;
-  p.stones.r_min = 2e-3;
-  p.stones.p_max = 100;
-  p.stones.max_spheres = 40;
-  p.box.length = 0.16;
-  p.box.width = 0.14;
-  p.box.height = 0.12;
-  p.box.slot_height = 0.02;
-  p.contact.stone_stiffness = p.contact.box_stiffness = 1e7;
-  p.geogrid_contact.stiffness = 1e8;
-  p.contact.stone_friction = 0.6;
-  p.geogrid_contact.friction = 0.7;
-  p.contact.tangential_ratio = 1;
-  p.contact.damping_ratio = 0.3;
-  p.geogrid_contact.damping_ratio = 0.1;
-  p.geogrid.placement = "not flattened";
-  p.geogrid.apertures_along = p.geogrid.apertures_across = 2;
-  p.geogrid.pitch_along = p.geogrid.pitch_across = 0.065;
-  p.geogrid.overhang = 5e-3;
-  p.geogrid.rib_width = 5e-3;
-  p.geogrid.rib_thickness = 2.5e-3;
-  p.geogrid.edge_rounding = 5e-4;
-  p.geogrid.youngs_modulus = 2.4e9;
-  p.geogrid.poisson_ratio = 0.3;
-  p.geogrid.density = 910;
-  p.geogrid.elements_per_rib = 4;
-  p.geogrid.mass_damping = 100;
-  p.filling.drop_height = 0.01;
-  p.filling.plate_speed = 0.1;
-  p.filling.plate_force_limit = 500;
-  p.filling.local_damping = 0.5;
-  p.filling.kinetic_energy_ratio = 1e-3;
-  p.filling.settling_time_limit = 1;
-  p.pull.speed = 0.2;
-  p.pull.distance = 2e-3;
-  p.pull.ramp_time = 2e-3;
-  p.time.safety_factor = 0.6;
-  p.output.records = 80; // fine enough for the sum of force times way to be the work
-  p.output.field_frames = 1;
-  return p;
-}
-
 // Sum of the recorded force times the way since the record before [J].
 double recorded_work(const fs::path& history)
 {
@@ -175,8 +129,9 @@ void check_laws(const Summary& s, const PullOutParameters& p)
 
 TEST(SmallPullOut, FlexibleGeogridTwiceWithTheSameDigits)
 {
-  const Summary first = run(small_case(), "flexible"), second = run(small_case(), "again");
-  check_laws(first, small_case());
+  const Summary first = run(small_pull_out_case(), "flexible"),
+                second = run(small_pull_out_case(), "again");
+  check_laws(first, small_pull_out_case());
   EXPECT_GE(first.results["substeps"].get<int>(), 2);
   EXPECT_EQ(first.state_hash, second.state_hash);
   EXPECT_EQ(first.steps, second.steps);
@@ -184,7 +139,7 @@ TEST(SmallPullOut, FlexibleGeogridTwiceWithTheSameDigits)
 
 TEST(SmallPullOut, RigidGeogridFlattened)
 {
-  PullOutParameters p = small_case();
+  PullOutParameters p = small_pull_out_case();
   p.geogrid.rigid = true;
   p.geogrid.placement = "flattened";
   p.surcharge.force = 20;
@@ -202,7 +157,7 @@ TEST(SmallPullOut, RigidGeogridFlattened)
 // kept to 1 %, is in verification/dem_force_control.
 TEST(SmallPullOut, PlateKeepsTheSurcharge)
 {
-  PullOutParameters p = small_case();
+  PullOutParameters p = small_pull_out_case();
   p.surcharge.kind = "plate";
   p.surcharge.force = 100;
   // Sixty stones below a plate for 12 ms: the mean force of one filling scatters by 12 N (eight of
@@ -221,7 +176,7 @@ TEST(SmallPullOut, PlateKeepsTheSurcharge)
 // Other stones lie elsewhere, by far more than rounding; but it is the same material.
 TEST(SmallPullOut, AnotherSeedIsAnotherPacking)
 {
-  PullOutParameters p = small_case();
+  PullOutParameters p = small_pull_out_case();
   const Summary one = run(p, "seed_1");
   p.filling.seed = 2;
   const Summary two = run(p, "seed_2");

@@ -1,6 +1,6 @@
 // The linear contact law against closed forms. Fails when the dashpot, the end of the contact, the
 // Coulomb cone, the tangential history or the energy bookkeeping is wrong.
-#include "dem/contacts/contact_law.h"
+#include "dem/contacts/single_contact.h"
 
 #include <gtest/gtest.h>
 
