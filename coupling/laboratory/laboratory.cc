@@ -178,6 +178,7 @@ void Laboratory::finish(const std::string& test, const std::vector<std::string>&
                                                        {fem::Stability::not_known, "not known"}};
   summary_.results[stem + "_equilibrium"] = words.at(result.solver->stability());
   summary_.results[stem + "_imbalance"] = result.solver->imbalance();
+  summary_.results[stem + "_uncertainty"] = result.solver->uncertainty();
   write_lattice(output / stem, *result.solver);
   const Clock::time_point now = Clock::now();
   StageSummary stage;
