@@ -47,6 +47,18 @@ void check_crushing(double pressure, bool share_among_contacts, ParameterProblem
                  "contacts = false.");
 }
 
+void check_pair_friction(const std::string& entry, double given, ParameterProblems& problems)
+{
+  if (given < 0 && given != -1)
+    problems.add(entry, "It is ", given, ", but must be 0 or more, or -1 for not given.");
+}
+
+void check_stone_contact(const StoneContactParameters& contact, ParameterProblems& problems)
+{
+  check_crushing(contact.crushing_pressure, contact.share_among_contacts, problems);
+  check_pair_friction("Contact/Stone on box friction", contact.stone_on_box_friction, problems);
+}
+
 double pair_friction(double given, double one, double other)
 {
   return given >= 0 ? given : std::min(one, other);

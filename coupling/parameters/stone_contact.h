@@ -22,6 +22,7 @@ struct StoneContactParameters {
   double crushing_pressure = 0;      // ContactProperties, of stones at whatever they touch [Pa]
 };
 
+// Frictions of pairs are -1 where they are not given, see check_pair_friction.
 const Range friction_range{0, 5, true}, pair_friction_range{-1, 5, true};
 const Range damping_ratio_range{0, 1, true};
 
@@ -32,6 +33,10 @@ void declare_stone_contact(ParameterTable& table, StoneContactParameters& contac
 void declare_crushing(ParameterTable& table, double& pressure);
 // A contact that is shared cannot crush.
 void check_crushing(double pressure, bool share_among_contacts, ParameterProblems& problems);
+// What lies between -1 and 0 is a slip. `entry`: "Section/Name".
+void check_pair_friction(const std::string& entry, double given, ParameterProblems& problems);
+// Both, of the entries of `contact`.
+void check_stone_contact(const StoneContactParameters& contact, ParameterProblems& problems);
 
 // The friction of a pair: what was given for it, or, where that is negative, the smaller of the two
 // [-].

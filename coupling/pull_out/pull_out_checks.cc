@@ -117,8 +117,10 @@ std::vector<ParameterProblem> check_pull_out(const PullOutParameters& parameters
   check_ribs(parameters.geogrid, problems);
   check_surcharge(parameters.surcharge, parameters.box, problems);
   check_pull(parameters.pull, parameters.geogrid, problems);
-  check_crushing(parameters.contact.crushing_pressure, parameters.contact.share_among_contacts,
-                 problems);
+  check_stone_contact(parameters.contact, problems);
+  check_pair_friction("Contact/Stone on geogrid friction",
+                      parameters.geogrid_contact.stone_friction, problems);
+  check_pair_friction("Filling/Stone friction", parameters.filling.stone_friction, problems);
   return problems.take();
 }
 } // namespace interlock::coupling

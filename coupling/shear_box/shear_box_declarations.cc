@@ -88,8 +88,8 @@ std::vector<ParameterProblem> check_shear_box(const ShearBoxParameters& paramete
   check_box(parameters, problems);
   check_load(parameters, problems);
   check_shear(parameters, problems);
-  check_crushing(parameters.contact.crushing_pressure, parameters.contact.share_among_contacts,
-                 problems);
+  check_stone_contact(parameters.contact, problems);
+  check_pair_friction("Filling/Stone friction", parameters.filling.stone_friction, problems);
   return problems.take();
 }
 } // namespace interlock::coupling

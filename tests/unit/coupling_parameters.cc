@@ -240,6 +240,10 @@ TEST(CheckParameters, NamesTheEntryOfEachContradiction)
   using Change = std::function<void(PullOutParameters&)>;
   const std::vector<std::pair<std::string, Change>> changes = {
       {"Geogrid/Apertures across", [](auto& p) { p.geogrid.apertures_across = 4; }},
+      {"Contact/Stone on box friction", [](auto& p) { p.contact.stone_on_box_friction = -0.5; }},
+      {"Contact/Stone on geogrid friction",
+       [](auto& p) { p.geogrid_contact.stone_friction = -0.5; }},
+      {"Filling/Stone friction", [](auto& p) { p.filling.stone_friction = -0.5; }},
       {"Geogrid/Apertures across", [](auto& p) { p.geogrid.pitch_across = 0.06501; }},
       {"Geogrid/Apertures along", [](auto& p) { p.box.length = 0.39; }},
       {"Box/Slot height", [](auto& p) { p.box.slot_height = 0.15; }},
