@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace interlock::coupling
 {
 namespace
@@ -14,12 +16,13 @@ void lower_plate(ShearBox& box)
   dem::Engine& engine = box.world().engine;
   const BoxParameters& size = box.parameters().box;
   const double height = highest_point(engine.clumps(), 0.5 * size.height);
-  const dem::ContactProperties& contact = engine.wall(box.walls.cover).contact;
-  box.walls.plate = engine.add_wall(dem::rectangle_wall(
-      "plate", {0, 0, height}, {size.length, 0, 0}, {0, size.width, 0}, contact));
+  box.walls.plate =
+      engine.add_wall(dem::rectangle_wall("plate", {0, 0, height}, {size.length, 0, 0},
+                                          {0, size.width, 0}, box.stone_on_floor_and_plate()));
   dem::ForceControl control;
   control.axis = -dem::Vector3::UnitZ();
-  control.force = box.plate_force();
+  const ShearBoxParameters& p = box.parameters();
+  control.force = box.plate_force(std::max(p.normal_stress, p.compaction_stress));
   control.largest_speed = box.parameters().filling.plate_speed;
   engine.control_wall(box.walls.plate, control);
 }
@@ -47,7 +50,8 @@ StageStatus before_step(ConsolidateStage& stage, ShearBox& box, RunRecords& reco
   world.make_whole();
   if (stage.phase == Phase::loading) {
     // Stones have gone from above the plane to below it.
-    world.engine.set_controlled_force(box.walls.plate, box.plate_force());
+    world.engine.set_controlled_force(box.walls.plate,
+                                      box.plate_force(box.parameters().normal_stress));
     world.engine.stone_contact().friction = box.parameters().contact.stone_friction;
     wait(Phase::test_friction, settling_after_removal, still);
     return running(0.3);

@@ -67,8 +67,9 @@ void ShearBox::set_up(const std::vector<Stone>& stones)
   const double given = choose_time_step(parameters_.time, stable);
   world_.step_rule = step_rule(parameters_.time, stable);
   world_.clock.set_step(parameters_.time.step > 0 ? given : world_.step_rule.step({}));
-  walls = build_shear_box(world_.engine, parameters_.box, parameters_.gap,
-                          parameters_.shear.distance, stone_on_box(parameters_.contact));
+  walls =
+      build_shear_box(world_.engine, parameters_.box, parameters_.gap, parameters_.shear.distance,
+                      stone_on_box(parameters_.contact), stone_on_floor_and_plate());
   world_.engine.set_local_damping(parameters_.filling.local_damping);
   preparation_ = fmt::format("{}; {}", batch.text, time_step_budget(world_.clock.dt, stable));
 }
@@ -127,14 +128,22 @@ double ShearBox::weight_above_plane() const
   return mass * parameters_.gravity;
 }
 
-double ShearBox::plate_force() const
+dem::ContactProperties ShearBox::stone_on_floor_and_plate() const
 {
-  const double force = parameters_.normal_stress * area(), weight = weight_above_plane();
+  dem::ContactProperties contact = stone_on_box(parameters_.contact);
+  contact.friction =
+      pair_friction(parameters_.floor_and_plate_friction, contact.friction, contact.friction);
+  return contact;
+}
+
+double ShearBox::plate_force(double normal_stress) const
+{
+  const double force = normal_stress * area(), weight = weight_above_plane();
   if (force <= weight)
     throw RunFailure(fmt::format(
         "The stones of the upper half press on the plane with {:.4g} Pa by their weight alone, but "
         "Load/Normal stress is {:.4g} Pa; raise it, or lower Box/Height.",
-        weight / area(), parameters_.normal_stress));
+        weight / area(), normal_stress));
   return force - weight;
 }
 

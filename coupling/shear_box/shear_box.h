@@ -51,9 +51,10 @@ public:
   Filling filling();
   double area() const { return parameters_.box.length * parameters_.box.width; } // of the plane
   double weight_above_plane() const; // of stones with their centre there [N]
-  // With which the plate has to press for the normal stress on the plane. Throws RunFailure when
+  dem::ContactProperties stone_on_floor_and_plate() const;
+  // With which the plate has to press for a normal stress [Pa] on the plane. Throws RunFailure when
   // the stones above the plane weigh more [N].
-  double plate_force() const;
+  double plate_force(double normal_stress) const;
   double plate_height() const { return world_.engine.wall(walls.plate).corner.z(); } // [m]
   // Share of the volume below the plate that is no stone [-].
   double porosity() const;

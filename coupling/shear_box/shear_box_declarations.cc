@@ -17,6 +17,10 @@ void declare_box(ParameterTable& table, ShearBoxParameters& parameters)
   table.require("Height", parameters.box.height, positive,
                 "Height along z up to which the box is filled; the halves meet at half of it. [m]");
   table.require("Gap", parameters.gap, not_negative, "Between the two halves. [m]");
+  table.offer("Floor and plate friction", parameters.floor_and_plate_friction, -1,
+              pair_friction_range,
+              "Friction coefficient between stones and the floor or the plate, which laboratories "
+              "make rough; -1: that of the other walls. [-]");
 }
 
 void declare_test(ParameterTable& table, ShearBoxParameters& parameters)
@@ -25,6 +29,9 @@ void declare_test(ParameterTable& table, ShearBoxParameters& parameters)
   table.require("Normal stress", parameters.normal_stress, positive,
                 "On the plane between the halves, weight of the stones above it included; a plate "
                 "keeps its force. [Pa]");
+  table.offer("Compaction stress", parameters.compaction_stress, 0, not_negative,
+              "The same while the stones still have the friction of the filling: the plate first "
+              "presses with that, then with the normal stress; 0: never with more. [Pa]");
   table.open_section("Shear");
   table.require("Speed", parameters.shear.speed, positive, "Speed of the lower half. [m/s]");
   table.require("Distance", parameters.shear.distance, positive,
@@ -51,6 +58,10 @@ void check_load(const ShearBoxParameters& p, ParameterProblems& problems)
     problems.add("Load/Normal stress", "The normal stress is ", p.normal_stress,
                  " Pa, but the stones of the upper half alone press with ", weight,
                  " Pa or more; raise it, or lower Box/Height.");
+  if (p.compaction_stress > 0 && p.compaction_stress < p.normal_stress)
+    problems.add("Load/Compaction stress", "The compaction stress is ", p.compaction_stress,
+                 " Pa, but must be at least the normal stress, ", p.normal_stress,
+                 " Pa, or 0 for no compaction.");
 }
 
 void check_shear(const ShearBoxParameters& p, ParameterProblems& problems)
@@ -89,6 +100,8 @@ std::vector<ParameterProblem> check_shear_box(const ShearBoxParameters& paramete
   check_load(parameters, problems);
   check_shear(parameters, problems);
   check_stone_contact(parameters.contact, problems);
+  check_pair_friction("Box/Floor and plate friction", parameters.floor_and_plate_friction,
+                      problems);
   check_pair_friction("Filling/Stone friction", parameters.filling.stone_friction, problems);
   return problems.take();
 }

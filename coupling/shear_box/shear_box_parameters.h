@@ -20,9 +20,13 @@ struct ShearParameters {
 struct ShearBoxParameters {
   double gravity = 9.81; // along -z [m/s2]
   StoneParameters stones;
-  BoxParameters box;        // both halves together; without a slot
-  double gap = 0;           // between the halves [m]
+  BoxParameters box; // both halves together; without a slot
+  double gap = 0;    // between the halves [m]
+  // Between stones and floor or plate; -1: that of the other walls [-].
+  double floor_and_plate_friction = -1;
   double normal_stress = 0; // on the plane between the halves, weight of the stones included [Pa]
+  // The same while the stones have the friction of the filling; 0: as in the test [Pa].
+  double compaction_stress = 0;
   StoneContactParameters contact;
   FillingParameters filling;
   ShearParameters shear;

@@ -15,6 +15,42 @@ namespace
 // Peaks are those of means over this share of a mean stone, slopes are taken over that one, and
 // what is left in the end is the mean over that share of the way [-].
 constexpr double filter_share = 0.05, slope_share = 0.25, end_share = 0.2;
+// Where the rims of the upper half bear more than this share of the normal force on the plane, a
+// stone is wedged under one of them, and what is measured is not the strength of the stones [-].
+constexpr double wedging_share = 0.5;
+
+// Where the curve stops to be that of the stones: number of records until then, and why.
+struct Usable {
+  std::size_t records = 0;
+  std::string reason; // empty: all of it
+};
+
+Usable usable_part(const ShearStage& shear, const ShearBox& box)
+{
+  const std::vector<double>& u = shear.displacements;
+  const double filter = filter_share * box.mean_size;
+  const std::vector<double> n = centred_mean(u, shear.normal_forces, filter),
+                            p = centred_mean(u, shear.plate_forces, filter);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    if (shear.overlap_left_at >= 0 && u[k] >= shear.overlap_left_at)
+      return {k, "a contact overlaps by more than a tenth of the mean radius of a sphere (contacts "
+                 "too soft for this load?)"};
+    if (n[k] - p[k] - shear.weight_above > wedging_share * n[k])
+      return {k, "a stone is wedged under the rim of the upper half, which bears more than half of "
+                 "the normal force"};
+  }
+  return {u.size(), ""};
+}
+
+// The curve up to there, at least its first two records.
+ShearStage part_of(ShearStage shear, std::size_t records)
+{
+  const std::size_t n = std::min(std::max<std::size_t>(2, records), shear.displacements.size());
+  for (std::vector<double>* curve : {&shear.displacements, &shear.heights, &shear.shear_forces,
+                                     &shear.normal_forces, &shear.plate_forces})
+    curve->resize(n);
+  return shear;
+}
 
 double degrees(double tangent)
 {
@@ -85,15 +121,15 @@ void describe_forces(const ShearStage& shear, const ShearBox& box, nlohmann::ord
   results["smallest_stable_step_s"] = shear.smallest_stable_step;
 }
 
-void describe_usability(const ShearStage& shear, Summary& summary)
+void describe_usability(const Usable& usable, double from, Summary& summary)
 {
-  if (shear.overlap_left_at < 0) return;
-  const std::string reason = "a contact overlaps by more than a tenth of the mean radius of a "
-                             "sphere (contacts too soft for this load?)";
-  summary.results["not_usable_from_mm"] = 1e3 * shear.overlap_left_at;
-  summary.results["not_usable_because"] = reason;
-  summary.not_usable = fmt::format("From {:.1f} mm on the shearing is not to be used: {}.",
-                                   1e3 * shear.overlap_left_at, reason);
+  if (usable.reason.empty()) return;
+  summary.results["not_usable_from_mm"] = 1e3 * from;
+  summary.results["not_usable_because"] = usable.reason;
+  summary.not_usable =
+      fmt::format("From {:.1f} mm on the shearing is not to be used, and nothing was measured "
+                  "there: {}.",
+                  1e3 * from, usable.reason);
 }
 } // namespace
 
@@ -124,9 +160,11 @@ void ShearBox::finish(std::vector<Stage>& plan, RunRecords& records) const
   const EnergyLedger change = difference(shear.ledger, shear.ledger_at_begin);
   summary.energy["shear_wall_work_J"] = change.wall_work;
   summary.energy["shear_residual_J"] = change.residual();
-  describe_strength(shear, *this, summary.results);
-  describe_forces(shear, *this, summary.results);
-  describe_usability(shear, summary);
+  const Usable usable = usable_part(shear, *this);
+  const ShearStage measured = part_of(shear, usable.records);
+  describe_strength(measured, *this, summary.results);
+  describe_forces(measured, *this, summary.results);
+  describe_usability(usable, measured.displacements.back(), summary);
   if (world_.clock.dt > shear.smallest_stable_step)
     records.warn(
         fmt::format("The time step of {:.3g} s was above the live stable step of {:.3g} s.",

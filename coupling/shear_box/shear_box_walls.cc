@@ -23,12 +23,13 @@ std::vector<dem::WallId> add_sides(dem::Engine& engine, const std::string& half,
 } // namespace
 
 ShearBoxWalls build_shear_box(dem::Engine& engine, const BoxParameters& box, double gap,
-                              double distance, const dem::ContactProperties& contact)
+                              double distance, const dem::ContactProperties& contact,
+                              const dem::ContactProperties& on_floor)
 {
   const double plane = 0.5 * box.height, rim = plane - 0.5 * gap, edge = plane + 0.5 * gap;
   const Vector3 x(box.length, 0, 0), y(0, box.width, 0), reach(distance, 0, 0);
   ShearBoxWalls walls;
-  walls.lower = {engine.add_wall(dem::rectangle_wall("floor", Vector3::Zero(), x, y, contact))};
+  walls.lower = {engine.add_wall(dem::rectangle_wall("floor", Vector3::Zero(), x, y, on_floor))};
   const auto sides = add_sides(engine, "lower", box, 0, rim, contact);
   walls.lower.insert(walls.lower.end(), sides.begin(), sides.end());
   walls.lower.push_back(

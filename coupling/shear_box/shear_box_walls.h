@@ -27,7 +27,8 @@ template <class Archive> void exchange(Archive& archive, ShearBoxWalls& walls)
 
 // Both halves without a plate, at rest, `gap` apart. The lower one may move by `distance` [m].
 ShearBoxWalls build_shear_box(dem::Engine& engine, const BoxParameters& box, double gap,
-                              double distance, const dem::ContactProperties& stone_on_box);
+                              double distance, const dem::ContactProperties& stone_on_box,
+                              const dem::ContactProperties& stone_on_floor);
 
 // Of the lower half since the begin [m].
 double displacement(const dem::Engine& engine, const ShearBoxWalls& walls);

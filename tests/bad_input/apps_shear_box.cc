@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 using namespace interlock;
 
 namespace
@@ -70,7 +72,10 @@ TEST_F(BadShearBox, ContradictionsAndUnknownNames)
   expect("Box/Gap=0.1",
          {"The gap is 0.1 m wide", "smaller than half the height of the box, 0.1 m."});
   expect("Shear/Distance=0.2", {"moves by 0.2 m", "at most half the length of the box, 0.15 m."});
-  expect("Shear/Ramp time=4", {"needs 0.06 m to reach full speed in 4 s", "0.045 m only."});
+  expect("Shear/Ramp time=4", {"needs 0.06 m to reach full speed in 4 s", "0.03 m only."});
+  expect("Load/Compaction stress=5000",
+         {"The compaction stress is 5000 Pa", "at least the normal stress, 10000 Pa, or 0"});
+  expect("Box/Floor and plate friction=-0.5", {"It is -0.5", "must be 0 or more, or -1"});
   expect("Shear/Sped=1", {"\"Shear/Sped\"", "the nearest known one is \"Shear/Speed\""});
   expect("Pull/Distance=0.1", {"there is no entry \"Pull/Distance\""});
 }
@@ -84,17 +89,18 @@ TEST_F(BadShearBox, StonesThatDoNotFit)
 
 TEST_F(BadShearBox, CaseHasTheStonesAndContactsOfThePullOut)
 {
-  write("pullout.prm", apps::pull_out_template());
-  const auto read = [&](const char* name) {
-    return apps::read_parameter_file(folder / name).parameters;
-  };
-  const auto shear = std::get<coupling::ShearBoxParameters>(read("shear_box.prm"));
-  const auto pull = std::get<coupling::PullOutParameters>(read("pullout.prm"));
+  const std::filesystem::path cases = std::filesystem::path(INTERLOCK_SOURCE_DIR) / "cases";
+  const auto shear = std::get<coupling::ShearBoxParameters>(
+      apps::read_parameter_file(cases / "ballast/shear_box.prm").parameters);
+  const auto pull = std::get<coupling::PullOutParameters>(
+      apps::read_parameter_file(cases / "pullout/filling.prm").parameters);
   EXPECT_EQ(shear.stones.count, pull.stones.count);
   EXPECT_EQ(shear.stones.density, pull.stones.density);
   EXPECT_EQ(shear.stones.d_min, pull.stones.d_min);
   EXPECT_EQ(shear.stones.r_min, pull.stones.r_min);
   EXPECT_EQ(shear.stones.max_spheres, pull.stones.max_spheres);
+  EXPECT_EQ(shear.stones.sphere_order, pull.stones.sphere_order);
+  EXPECT_EQ(shear.stones.bulge, pull.stones.bulge);
   EXPECT_EQ(shear.stones.mass_properties, pull.stones.mass_properties);
   EXPECT_EQ(shear.contact.stone_stiffness, pull.contact.stone_stiffness);
   EXPECT_EQ(shear.contact.box_stiffness, pull.contact.box_stiffness);

@@ -95,6 +95,29 @@ protected:
     return coupling::Run<Box>(box, request).run();
   }
 
+  ShearBoxParameters poured_parameters() const
+  {
+    ShearBoxParameters p = parameters(0.15, 0.15, 0.12);
+    p.stones.count = 8;
+    p.stones.d_min = p.stones.r_min = 0.003;
+    p.stones.p_max = 100;
+    p.stones.max_spheres = 15;
+    p.contact.stone_stiffness = p.contact.box_stiffness = 1e7;
+    p.contact.stone_friction = 0.6;
+    p.filling.drop_height = 0.02;
+    p.filling.stone_friction = 0.1;
+    p.filling.kinetic_energy_ratio = 1e-6;
+    return p;
+  }
+  void pour_into(Poured& box) const
+  {
+    RunRequest request;
+    request.folder = folder;
+    request.checkpoint_interval = 0;
+    box.prepare(request.monitor, {});
+    coupling::Run<Poured>(box, request).run();
+  }
+
   // Rows of history.csv, by column without unit.
   std::vector<std::map<std::string, double>> history() const
   {
@@ -120,7 +143,8 @@ protected:
 
 TEST_F(ShearBoxTest, SingleStoneSlidesWithTheFrictionOfTheWall)
 {
-  for (const double friction : {0.2, 0.5}) {
+  for (const auto& [friction, only_floor] :
+       {std::pair(0.2, false), std::pair(0.5, false), std::pair(0.5, true)}) {
     // A table on four legs, which stand clear of the lower half.
     std::vector<dem::Sphere> spheres;
     for (const double x : {-1., 1.})
@@ -129,7 +153,9 @@ TEST_F(ShearBoxTest, SingleStoneSlidesWithTheFrictionOfTheWall)
         spheres.push_back({{3 * x * r, 3 * y * r, 1.5 * r}, r});
       }
     ShearBoxParameters p = parameters(8 * r, 8 * r, 4 * r);
-    p.contact.stone_friction = p.contact.box_friction = friction;
+    p.contact.stone_friction = friction;
+    p.contact.box_friction = only_floor ? 0 : friction;
+    if (only_floor) p.floor_and_plate_friction = friction;
     Placed box(p);
     box.set_up({stone_of(spheres)});
     box.world().engine.add_clump(0, 2650, {4 * r, 4 * r, 2.5 * r}, dem::Quaternion::Identity());
@@ -192,22 +218,9 @@ TEST_F(ShearBoxTest, RegularLayersClimbOverEachOther)
 
 TEST_F(ShearBoxTest, PouredStonesAreInBalance)
 {
-  ShearBoxParameters p = parameters(0.15, 0.15, 0.12);
-  p.stones.count = 8;
-  p.stones.d_min = p.stones.r_min = 0.003;
-  p.stones.p_max = 100;
-  p.stones.max_spheres = 15;
-  p.contact.stone_stiffness = p.contact.box_stiffness = 1e7;
-  p.contact.stone_friction = 0.6;
-  p.filling.drop_height = 0.02;
-  p.filling.stone_friction = 0.1;
-  p.filling.kinetic_energy_ratio = 1e-6;
-  Poured box(p);
-  RunRequest request;
-  request.folder = folder;
-  request.checkpoint_interval = 0;
-  box.prepare(request.monitor, {});
-  coupling::Run<Poured>(box, request).run();
+  Poured box(poured_parameters());
+  pour_into(box);
+  const ShearBoxParameters& p = box.parameters();
   dem::Engine& engine = box.world().engine;
   const double weight = box.world().weight(), above = box.weight_above_plane();
   // The rims of the halves carry some stones.
@@ -218,4 +231,21 @@ TEST_F(ShearBoxTest, PouredStonesAreInBalance)
   EXPECT_EQ(engine.stone_contact().friction, 0.6);
   EXPECT_NEAR(below, forces.plate + weight + forces.friction, 0.002 * below);
   EXPECT_NEAR(forces.plate + above, p.normal_stress * area, 0.005 * p.normal_stress * area);
+}
+
+// The stones of a compacted specimen have borne more than the test asks for, and bear what it asks
+// for.
+TEST_F(ShearBoxTest, CompactionLeavesADenserSpecimenUnderTheSameLoad)
+{
+  ShearBoxParameters p = poured_parameters();
+  p.filling.stone_friction = 0;
+  Poured plain(p);
+  pour_into(plain);
+  p.compaction_stress = 4 * p.normal_stress;
+  Poured compacted(p);
+  pour_into(compacted);
+  EXPECT_LT(compacted.porosity(), plain.porosity());
+  const ShearForces forces = shear_forces(compacted.world().engine, compacted.walls);
+  const double wanted = p.normal_stress * compacted.area();
+  EXPECT_NEAR(forces.plate + compacted.weight_above_plane(), wanted, 0.005 * wanted);
 }
