@@ -92,7 +92,9 @@ class Runner:
         said = said[max(0, said.rfind("Going on from")):]  # of the last part of the run
         if told_to_stop and "Everything is in" in said:  # it had just ended
             return 0
-        return 130 if told_to_stop and "interlock: interrupted" in said else code
+        # On a busy machine the moment may come while MPI is still starting: nothing has been said or written.
+        began = (self.folder / name).exists() or said.strip()
+        return 130 if told_to_stop and ("interlock: interrupted" in said or not began) else code
 
     def differences(self, one, other):
         found = list(compare_runs.differences(self.folder / one, self.folder / other))
@@ -158,7 +160,7 @@ def stopped_and_resumed(runner, name, case, entries, numbers, moments):
             break
         if code != 130:
             return f"{name}: {text}" + runner.verdict("one", "several", code), False
-        options = ("--resume",)
+        options = ("--resume",) if (runner.folder / "several" / "checkpoint.h5").exists() else ("--force",)
     verdict = runner.verdict("one", "several", code)
     runner.forget("several")
     return f"{name}: {text}{verdict}", verdict == "same"
