@@ -1,5 +1,5 @@
 #!/usr/bin/python3 -I
-"""Fills the box of filling.prm with several seeds, up to the state before the pull, on a flattened surface and on one that is not: masses,
+"""Fills the box of pullout.prm with several seeds, up to the state before the pull, on a flattened surface and on one that is not: masses,
 densities and flatness as mean and standard deviation beside the paper's. Writes one folder a filling and filling.md.
 
     filling.py [FOLDER] [--seeds 1,2,3,4,5] [--program PROGRAM] [-- OPTIONS OF interlock run]
@@ -43,7 +43,7 @@ def results_of(folder, kind, seed, program, options):
     if not (run / "summary.json").exists():
         sets = KINDS[kind] + [f"Filling/Seed={seed}"] + NO_PULL
         words = [word for entry in sets for word in ("--set", entry)]
-        done = subprocess.run([program, "run", ROOT / "cases/pullout/filling.prm", *words, *options, "--force", "-o", run],
+        done = subprocess.run([program, "run", ROOT / "cases/pullout/pullout.prm", *words, *options, "--force", "-o", run],
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         if done.returncode not in (0, 3):  # 3: the pull of a hundredth of a millimetre is not to be used
             sys.exit(f"{run}: {done.stderr.strip()}")

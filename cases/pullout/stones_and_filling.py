@@ -1,6 +1,6 @@
 #!/usr/bin/python3 -I
-"""What better clumps and the paper's filling change in a pull-out: the cases before (pullout.prm: clumps in random order, halves levelled by
-taking stones off) and after (filling.prm: clumps by gain, halves weighed in and pressed level), the quick one (100 mm/s) and the paper's
+"""What better clumps and the paper's filling change in a pull-out: the cases before (loose.prm: clumps in random order, halves levelled by
+taking stones off) and after (pullout.prm: clumps by gain, halves weighed in and pressed level), the quick one (100 mm/s) and the paper's
 (10 mm/s): masses, and forces at given displacements, as mean and standard deviation over fillings. Writes one folder a run and
 stones_and_filling.md.
 
@@ -21,8 +21,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 QUICK = ["Pull/Speed=0.1", "Pull/Distance=0.02", "Pull/Ramp time=0.01", "Filling/Kinetic energy ratio=4e-4"]
 PAPER = ["Pull/Distance=0.021"]  # the last displacement of the table, and half a window more
 CASES = {
-    "quick": {"before": ("pullout.prm", QUICK), "after": ("filling.prm", QUICK)},
-    "paper": {"before": ("pullout.prm", PAPER), "after": ("filling.prm", PAPER)},
+    "quick": {"before": ("loose.prm", QUICK), "after": ("pullout.prm", QUICK)},
+    "paper": {"before": ("loose.prm", PAPER), "after": ("pullout.prm", PAPER)},
 }
 PLACES = [2, 5, 10, 20]  # [mm]
 WINDOW = 1  # means over +- half of it [mm]

@@ -80,7 +80,7 @@ const std::vector<Row>& table()
       {{"Filling/Settling time limit", "Drop/Settling time limit"}, {1e-3, 1000, times}},
       {{"Surcharge/Force"}, {0.1, 1e6, forces}},
       {{"Surcharge/Sphere radius"}, {1e-3, 1, lengths}},
-      {{"Load/Normal stress"}, {100, 1e7, pressures}},
+      {{"Load/Normal stress", "Load/Compaction stress"}, {100, 1e7, pressures}},
       {{"Pull/Speed", "Shear/Speed"}, {1e-6, 10, speeds}},
       {{"Pull/Distance", "Shear/Distance"}, {1e-5, 2, lengths}},
       {{"Pull/Ramp time", "Shear/Ramp time"}, {1e-5, 100, times}},

@@ -93,7 +93,7 @@ TEST_F(BadShearBox, CaseHasTheStonesAndContactsOfThePullOut)
   const auto shear = std::get<coupling::ShearBoxParameters>(
       apps::read_parameter_file(cases / "ballast/shear_box.prm").parameters);
   const auto pull = std::get<coupling::PullOutParameters>(
-      apps::read_parameter_file(cases / "pullout/filling.prm").parameters);
+      apps::read_parameter_file(cases / "pullout/pullout.prm").parameters);
   EXPECT_EQ(shear.stones.count, pull.stones.count);
   EXPECT_EQ(shear.stones.density, pull.stones.density);
   EXPECT_EQ(shear.stones.d_min, pull.stones.d_min);

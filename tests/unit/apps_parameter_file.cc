@@ -241,8 +241,9 @@ TEST(UsualRanges, AreThoseOfAllPhysicalEntries)
     experiment.declare(table, parameters);
     for (const coupling::ParameterEntry& entry : table.entries()) {
       known.insert(entry.key());
-      if (!entry.unit.empty() && entry.unit != "-" && entry.unit != "%")
+      if (!entry.unit.empty() && entry.unit != "-" && entry.unit != "%") {
         EXPECT_NE(coupling::usual_range(entry.key()), nullptr) << entry.key();
+      }
     }
   }
   const std::set<std::string> options = {"--density", "--d-min", "--r-min", "--bulge"}; // of clump

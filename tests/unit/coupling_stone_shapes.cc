@@ -27,7 +27,7 @@ class StonesOfARun : public TemporaryFolderTest
 };
 } // namespace
 
-// The settings of the case pullout.prm, and those that it had before.
+// The settings of the case loose.prm, and those that it had before.
 TEST_F(StonesOfARun, ClumpsInPiecesAreWarnedOf)
 {
   const std::vector<Stone> whole = coupling::make_stones(three_stones(1e-3, 1.5e-3, 100), {});
