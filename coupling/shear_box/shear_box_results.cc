@@ -3,8 +3,6 @@
 #include "coupling/stones/curve_measures.h"
 #include "coupling/stones/filled_box.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -79,21 +77,6 @@ void describe_forces(const ShearStage& shear, const ShearBox& box, nlohmann::ord
   // below some 1e-3 the rate does not matter.
   results["inertial_number"] = p.shear.speed / shear.plate_at_begin * box.mean_size *
                                std::sqrt(p.stones.density * box.area() / normal);
-  results["largest_overlap_m"] = shear.largest_overlap;
-  results["largest_overlap_over_mean_sphere_radius"] =
-      shear.largest_overlap / box.mean_sphere_radius;
-  results["smallest_stable_step_s"] = shear.smallest_stable_step;
-}
-
-void describe_usability(const ShearStage& shear, Summary& summary)
-{
-  if (shear.overlap_left_at < 0) return;
-  const std::string reason = "a contact overlaps by more than a tenth of the mean radius of a "
-                             "sphere (contacts too soft for this load?)";
-  summary.results["not_usable_from_mm"] = 1e3 * shear.overlap_left_at;
-  summary.results["not_usable_because"] = reason;
-  summary.not_usable = fmt::format("From {:.1f} mm on the shearing is not to be used: {}.",
-                                   1e3 * shear.overlap_left_at, reason);
 }
 } // namespace
 
@@ -126,11 +109,7 @@ void ShearBox::finish(std::vector<Stage>& plan, RunRecords& records) const
   summary.energy["shear_residual_J"] = change.residual();
   describe_strength(shear, *this, summary.results);
   describe_forces(shear, *this, summary.results);
-  describe_usability(shear, summary);
-  if (world_.clock.dt > shear.smallest_stable_step)
-    records.warn(
-        fmt::format("The time step of {:.3g} s was above the live stable step of {:.3g} s.",
-                    world_.clock.dt, shear.smallest_stable_step));
+  describe_contacts(shear.watch, world_, mean_sphere_radius, "shearing", records);
   warn_of_ledger(shear.ledger, records);
   summary.ledger_closes = shear.ledger.relative_error() <= ledger_failure;
 }

@@ -17,8 +17,9 @@ Stillness stillness(const Settling& settling, const World& world,
 {
   const double waited = world.clock.time() - settling.begin;
   if (waited >= settling.least && world.clock.step % steps_between_looks == 0) {
-    const double target = settling.looseness * parameters.kinetic_energy_ratio * world.weight() *
-                          parameters.mean_size;
+    const double weight = parameters.gravity * world.engine.mass();
+    const double target =
+        settling.looseness * parameters.kinetic_energy_ratio * weight * parameters.mean_size;
     if (world.kinetic_energy() < target) return Stillness::still;
   }
   return waited >= settling.least + parameters.time_limit ? Stillness::timed_out
