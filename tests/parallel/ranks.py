@@ -48,6 +48,7 @@ FIXED = [
     ("pull-out, stones crush", SMALL, ["Contact/Crushing pressure=2e7", "Pull/Distance=0.002"]),
     ("heap, rolling, on triangles", HERE / "cases/heap.prm", []),
     ("shear box, below a plate that keeps its force", HERE / "cases/shear_box.prm", []),
+    ("triaxial, between walls that keep a pressure", HERE / "cases/triaxial.prm", []),
     ("packing, thrown", PACKING, THROWN + ["Time/Timed steps=4000"]),
     ("packing, squeezed", PACKING, ["Packing/Squeeze=0.009", "Time/Warm-up steps=200", "Time/Timed steps=1000",
                                     "Packing/Missed contact checks=2"]),
