@@ -10,4 +10,5 @@ const char* heap_template();       // cases/heap/heap.prm
 const char* laboratory_template(); // cases/geogrids/bx1100.prm
 const char* packing_template();    // cases/benchmark/w1.prm
 const char* shear_box_template();  // cases/ballast/shear_box.prm
+const char* triaxial_template();   // cases/ballast/triaxial.prm
 } // namespace interlock::apps

@@ -16,6 +16,9 @@
 #include "coupling/shear_box/shear_box.h"
 #include "coupling/shear_box/shear_box_declarations.h"
 #include "coupling/shear_box/shear_box_forecast.h"
+#include "coupling/triaxial/triaxial.h"
+#include "coupling/triaxial/triaxial_declarations.h"
+#include "coupling/triaxial/triaxial_forecast.h"
 #include "dem/input_error.h"
 
 #include <algorithm>
@@ -59,6 +62,11 @@ ReadyExperiment shear_box(const coupling::ShearBoxParameters& p,
                           const coupling::RunRequest& request)
 {
   return staged<coupling::ShearBox>(p, p.output.checkpoint_interval, request);
+}
+
+ReadyExperiment triaxial(const coupling::TriaxialParameters& p, const coupling::RunRequest& request)
+{
+  return staged<coupling::Triaxial>(p, p.output.checkpoint_interval, request);
 }
 
 // Nothing but the end of a stage interrupts what is timed.
@@ -159,6 +167,10 @@ const std::vector<Experiment>& experiments()
           "shear box", shear_box_template(), coupling::declare_shear_box, coupling::check_shear_box,
           shear_box, forecast_of<coupling::ShearBox>,
           [](const coupling::ShearBoxParameters& p) { return p.output.report; }),
+      row<coupling::TriaxialParameters>(
+          "triaxial", triaxial_template(), coupling::declare_triaxial, coupling::check_triaxial,
+          triaxial, forecast_of<coupling::Triaxial>,
+          [](const coupling::TriaxialParameters& p) { return p.output.report; }),
   };
   return table;
 }

@@ -13,6 +13,7 @@
 #include "coupling/run/forecast.h"
 #include "coupling/run/run_request.h"
 #include "coupling/shear_box/shear_box_parameters.h"
+#include "coupling/triaxial/triaxial_parameters.h"
 
 #include <filesystem>
 #include <functional>
@@ -24,7 +25,8 @@ namespace interlock::apps
 {
 using ExperimentParameters =
     std::variant<coupling::PullOutParameters, coupling::HeapParameters, coupling::PackingParameters,
-                 coupling::LaboratoryParameters, coupling::ShearBoxParameters>;
+                 coupling::LaboratoryParameters, coupling::ShearBoxParameters,
+                 coupling::TriaxialParameters>;
 
 // An experiment that has accepted its parameters. Writes its files into the folder of the request,
 // which must exist.

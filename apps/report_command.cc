@@ -27,6 +27,7 @@ std::string script_for(const fs::path& folder)
     if (experiment == "heap") return "heap_figures.py";
     if (experiment == "laboratory") return "laboratory_figures.py";
     if (experiment == "shear box") return "strength_figures.py";
+    if (experiment == "triaxial") return "triaxial_figures.py";
   }
   return pull_out;
 }

@@ -84,14 +84,15 @@ def curves_figure(run, path):
     figures.save(figure, path)
 
 
-def strength_figure(run, path):
+def strength_figure(run, path, draw_axes=strength_axes, place="mean_normal_stress_Pa"):
+    """Peak and residual angle over the stress `place` of the results, on axes with what is published."""
     results = figures.read_summary(run).get("results", {})
     if "peak_friction_angle_deg" not in results:
         print(f"Left out {path}: the run is not finished.")
         return
     figure, axes = plt.subplots(figsize=(7.5, 4.8), layout="constrained")
-    strength_axes(axes)
-    stress = 1e-3 * results["mean_normal_stress_Pa"]
+    draw_axes(axes)
+    stress = 1e-3 * results[place]
     axes.plot(stress, results["peak_friction_angle_deg"], "o", color=figures.COLOURS[0], label="this run, peak")
     axes.plot(stress, results["residual_friction_angle_deg"], "o", color=figures.COLOURS[0], mfc="none",
               label="this run, last fifth of the way")
@@ -99,14 +100,15 @@ def strength_figure(run, path):
     figures.save(figure, path)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def draw_all(title, curves, strength):
+    """The figures of the folder on the command line; returns the exit code."""
+    parser = argparse.ArgumentParser(description=title)
     parser.add_argument("run", metavar="RUN_DIR", help="output folder of interlock run")
     run = parser.parse_args().run
     folder = os.path.join(run, "figures")
     try:
-        curves_figure(run, os.path.join(folder, "curves.png"))
-        strength_figure(run, os.path.join(folder, "strength.png"))
+        curves(run, os.path.join(folder, "curves.png"))
+        strength(run, os.path.join(folder, "strength.png"))
         figures.energy_figure(run, os.path.join(folder, "energy.png"))
     except figures.InputError as error:
         print(error, file=sys.stderr)
@@ -115,4 +117,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(draw_all(__doc__.splitlines()[0], curves_figure, strength_figure))

@@ -1,9 +1,10 @@
 #!/usr/bin/python3 -I
-"""Shear box runs side by side: table, and friction angle over normal stress beside published values.
+"""Shear box or triaxial runs side by side: table, and friction angle over stress beside published values.
 
     figure.py RUN_DIR... -o FOLDER     strength.csv (one row a run), strength.md, strength.png in FOLDER
 
-Runs that differ in the seed of their filling only are one series: mean and standard deviation.
+Runs that differ in the seed of their filling only are one series: mean and standard deviation. The first finished
+run says which test it is; others are left out.
 """
 
 import argparse
@@ -14,11 +15,12 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "apps"))
 import figures
 import strength_figures
+import triaxial_figures
 import matplotlib.pyplot as plt
 import numpy as np
 
 # Column of the table -> value of the results.
-MEASURES = {
+SHEAR_BOX_MEASURES = {
     "peak angle [degrees]": lambda r: r["peak_friction_angle_deg"],
     "peak by load [degrees]": lambda r: r["peak_friction_angle_of_applied_load_deg"],
     "residual angle [degrees]": lambda r: r["residual_friction_angle_deg"],
@@ -28,26 +30,46 @@ MEASURES = {
     "volume change [%]": lambda r: 1e2 * r["volume_change_at_end"],
     "porosity [-]": lambda r: r["porosity"],
 }
+TRIAXIAL_MEASURES = {
+    "peak angle [degrees]": lambda r: r["peak_friction_angle_deg"],
+    "residual angle [degrees]": lambda r: r["residual_friction_angle_deg"],
+    "dilation angle [degrees]": lambda r: r["dilation_angle_at_peak_deg"],
+    "at [%]": lambda r: 1e2 * r["strain_at_peak"],
+    "E50 [MPa]": lambda r: 1e-6 * r["secant_stiffness_Pa"],
+    "volume change [%]": lambda r: 1e2 * r["volume_change_at_end"],
+    "porosity [-]": lambda r: r["porosity"],
+    "porosity at the end [-]": lambda r: r["porosity_at_end"],
+}
+# Experiment -> stress that was asked for in the results, its name in the table, measures, axes of the figure.
+TESTS = {
+    "shear box": ("normal_stress_Pa", "normal stress [kPa]", SHEAR_BOX_MEASURES, strength_figures.strength_axes),
+    "triaxial": ("cell_pressure_Pa", "cell pressure [kPa]", TRIAXIAL_MEASURES, triaxial_figures.strength_axes),
+}
 
 
 def read_runs(folders):
-    """One dictionary a finished run: what it is, and its measures; runs without a summary are named."""
-    rows = []
+    """The experiment, and one dictionary a finished run: what it is, and its measures; other runs are named."""
+    rows, test = [], None
     for folder in folders:
         summary, parameters = figures.read_summary(folder), figures.read_parameters(folder)
-        if summary.get("experiment") != "shear box" or "peak_friction_angle_deg" not in summary["results"]:
-            print(f"Left out {folder}: there is no summary.json of a finished shear box.")
+        experiment = summary.get("experiment")
+        if experiment not in TESTS or "peak_friction_angle_deg" not in summary["results"]:
+            print(f"Left out {folder}: there is no summary.json of a finished {test or 'strength test'}.")
+            continue
+        test = test or experiment
+        if experiment != test:
+            print(f"Left out {folder}: it is a {experiment} test, the others are {test} tests.")
             continue
         results = summary["results"]
         row = {"run": os.path.basename(os.path.normpath(folder)), "seed": summary["seed"],
                "spheres": round(results["spheres_per_stone"]),
                "friction": figures.number(parameters, "Contact/Stone friction"),
                "filling": "loose" if figures.number(parameters, "Filling/Stone friction") < 0 else "dense",
-               "stress [kPa]": 1e-3 * results["normal_stress_Pa"],
+               "stress [kPa]": 1e-3 * results[TESTS[test][0]],
                "not usable from [mm]": results.get("not_usable_from_mm", "")}
-        row.update({name: measure(results) for name, measure in MEASURES.items()})
+        row.update({name: measure(results) for name, measure in TESTS[test][2].items()})
         rows.append(row)
-    return rows
+    return test, rows
 
 
 def series_of(rows):
@@ -66,17 +88,18 @@ def mean_and_deviation(rows, name):
     return values.mean(), values.std(ddof=1) if len(values) > 1 else np.nan
 
 
-def write_tables(rows, series, folder):
+def write_tables(test, rows, series, folder):
+    stress_name, measures = TESTS[test][1:3]
     with open(os.path.join(folder, "strength.csv"), "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, fieldnames=list(rows[0]))
         writer.writeheader()
         writer.writerows(rows)
-    lines = ["| spheres | friction | filling | normal stress [kPa] | fillings | " + " | ".join(MEASURES) + " |",
-             "|" + "---|" * (5 + len(MEASURES))]
+    lines = [f"| spheres | friction | filling | {stress_name} | fillings | " + " | ".join(measures) + " |",
+             "|" + "---|" * (5 + len(measures))]
     for (spheres, friction, filling), points in sorted(series.items()):
         for stress, members in sorted(points.items()):
             cells = []
-            for name in MEASURES:
+            for name in measures:
                 mean, deviation = mean_and_deviation(members, name)
                 digits = 3 if name.startswith("porosity") else 1
                 cells.append(f"{mean:.{digits}f}" +
@@ -88,9 +111,9 @@ def write_tables(rows, series, folder):
     print("\n".join(lines))
 
 
-def draw(series, path):
+def draw(series, strength_axes, path):
     figure, axes = plt.subplots(figsize=(8.5, 6), layout="constrained")
-    strength_figures.strength_axes(axes)
+    strength_axes(axes)
     for i, ((spheres, friction, filling), points) in enumerate(sorted(series.items())):
         stresses = sorted(points)
         colour = figures.COLOURS[i % len(figures.COLOURS)]
@@ -111,13 +134,13 @@ def main():
     parser.add_argument("runs", nargs="+", metavar="RUN_DIR")
     parser.add_argument("-o", "--output", required=True, metavar="FOLDER")
     arguments = parser.parse_args()
-    rows = read_runs(arguments.runs)
+    test, rows = read_runs(arguments.runs)
     if not rows:
         print("None of the runs is finished.", file=sys.stderr)
         return 2
     series = series_of(rows)
-    write_tables(rows, series, arguments.output)
-    draw(series, os.path.join(arguments.output, "strength.png"))
+    write_tables(test, rows, series, arguments.output)
+    draw(series, TESTS[test][3], os.path.join(arguments.output, "strength.png"))
     return 0
 
 

@@ -1,30 +1,40 @@
 #!/usr/bin/env bash
-# How strong is ballast in the shear box, and what decides it: the case shear_box.prm at several normal stresses, with
-# clumps of several numbers of spheres, several friction coefficients, loose and dense, several fillings each. Writes
-# one folder a run, strength.csv (one row a run), strength.md (mean and standard deviation over the fillings) and
-# strength.png beside published strengths.
+# How strong is ballast, and what decides it: the case shear_box.prm or triaxial.prm at several stresses, with clumps of
+# several numbers of spheres, several friction coefficients, loose and dense, several fillings each. Writes one folder a
+# run, strength.csv (one row a run), strength.md (mean and standard deviation over the fillings) and strength.png beside
+# published strengths.
 #
 #   bash cases/ballast/run.sh [FOLDER] [-- OPTIONS OF interlock run]
 #
-# default: results/ballast; after `make build`. What is run is said by these variables (words, separated by blanks):
+# default: results/ballast, or results/triaxial; after `make build`. What is run is said by these variables (words,
+# separated by blanks):
+#   TEST      shear_box or triaxial                       default: shear_box
 #   SERIES    spheres of a clump : friction between stones : filling (loose or dense)
-#             default: each varied by itself around 55:0.6:dense
-#   STRESSES  normal stresses [kPa]     default: 2 10 35 100
-#   SEEDS     fillings                  default: 1 2 3 4 5
-#   JOBS      runs side by side         default: 2
-# A run that is complete is not run again, so more can be added later, and what was stopped goes on. Default: 140 runs.
+#             default: each varied by itself around 55:0.6:dense; triaxial: 55:0.6:dense 55:0.6:loose
+#   STRESSES  normal stresses, or cell pressures [kPa]    default: 2 10 35 100, or 10 30 60
+#   SEEDS     fillings                                    default: 1 2 3 4 5
+#   JOBS      runs side by side                           default: 2
+# A run that is complete is not run again, so more can be added later, and what was stopped goes on. Default: 140 runs,
+# or 30.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
 export interlock="${INTERLOCK:-$root/build/release/bin/interlock}" root
-folder=results/ballast
+case "${TEST:=shear_box}" in
+  shear_box) folder=results/ballast entry="Load/Normal stress" at="2 10 35 100"
+    kinds="55:0.6:dense 55:0.6:loose 55:0.4:dense 55:0.8:dense 20:0.6:dense 150:0.6:dense 500:0.6:dense" ;;
+  triaxial) folder=results/triaxial entry="Load/Cell pressure" at="10 30 60" kinds="55:0.6:dense 55:0.6:loose" ;;
+  *) echo "TEST: there is no '$TEST' (shear_box, triaxial)." >&2; exit 2 ;;
+esac
+export TEST entry
 if [ $# -gt 0 ] && [ "$1" != "--" ]; then folder="$1"; shift; fi
 [ $# -gt 0 ] && shift
 [ -x "$interlock" ] || { echo "There is no program '$interlock': run 'make build' first." >&2; exit 2; }
-read -r -a series <<<"${SERIES:-55:0.6:dense 55:0.6:loose 55:0.4:dense 55:0.8:dense 20:0.6:dense 150:0.6:dense 500:0.6:dense}"
-read -r -a stresses <<<"${STRESSES:-2 10 35 100}"
+read -r -a series <<<"${SERIES:-$kinds}"
+read -r -a stresses <<<"${STRESSES:-$at}"
 read -r -a seeds <<<"${SEEDS:-1 2 3 4 5}"
 
-# Friction while filling and stress of the compaction: dense as in the case, or with the friction of the test and not compacted.
+# Friction while filling and stress of the compaction: dense as in the case, or with the friction of the test and not
+# compacted.
 declare -A fillings=([loose]="-1 0" [dense]="0 1e5")
 
 runs=() list="$(mktemp)"
@@ -49,9 +59,10 @@ one()
 {
   echo "$1"
   # A run with code 3 says itself why it is not to be used; the table says so, too.
-  "$interlock" run "$root/cases/ballast/shear_box.prm" --set "Stones/Max spheres=$2" --set "Contact/Stone friction=$3" \
-    --set "Filling/Stone friction=$4" --set "Load/Compaction stress=$5" --set "Load/Normal stress=$6" \
-    --set "Filling/Seed=$7" --set Output/Report=false --set "Output/Field frames=0" "${@:8}" --force -o "$1" >/dev/null 2>&1 || { [ $? -eq 3 ] || echo "$1 failed" >&2; }
+  "$interlock" run "$root/cases/ballast/$TEST.prm" --set "Stones/Max spheres=$2" --set "Contact/Stone friction=$3" \
+    --set "Filling/Stone friction=$4" --set "Load/Compaction stress=$5" --set "$entry=$6" --set "Filling/Seed=$7" \
+    --set Output/Report=false --set "Output/Field frames=0" "${@:8}" --force -o "$1" >/dev/null 2>&1 ||
+    { [ $? -eq 3 ] || echo "$1 failed" >&2; }
 }
 export -f one
 [ -s "$list" ] && xargs -0 -n 7 -P "${JOBS:-2}" bash -c 'one "${@: -7}" "${@:1:$#-7}"' _ "$@" <"$list"

@@ -80,10 +80,11 @@ const std::vector<Row>& table()
       {{"Filling/Settling time limit", "Drop/Settling time limit"}, {1e-3, 1000, times}},
       {{"Surcharge/Force"}, {0.1, 1e6, forces}},
       {{"Surcharge/Sphere radius"}, {1e-3, 1, lengths}},
-      {{"Load/Normal stress", "Load/Compaction stress"}, {100, 1e7, pressures}},
+      {{"Load/Normal stress", "Load/Cell pressure", "Load/Compaction stress"}, {100, 1e7, pressures}},
       {{"Pull/Speed", "Shear/Speed"}, {1e-6, 10, speeds}},
+      {{"Compression/Strain rate"}, {1e-6, 10, {{"%/s", 1e-2}, {"%/min", 1e-2 / 60}}}},
       {{"Pull/Distance", "Shear/Distance"}, {1e-5, 2, lengths}},
-      {{"Pull/Ramp time", "Shear/Ramp time"}, {1e-5, 100, times}},
+      {{"Pull/Ramp time", "Shear/Ramp time", "Compression/Ramp time"}, {1e-5, 100, times}},
       {{"Packing/Throw speed"}, {1e-6, 100, speeds}},
       {{"Packing/Throw spin"}, {1e-3, 1e4, {{"rpm", 0.10471975511965977}}}},
       // Of a contact: from its stiffness and mass, so nearly anything.

@@ -191,7 +191,7 @@ Pouring PullOut::pouring() const
 SettlingParameters PullOut::settling() const
 {
   return {parameters_.filling.kinetic_energy_ratio, parameters_.filling.settling_time_limit,
-          mean_size};
+          mean_size, parameters_.gravity};
 }
 
 double PullOut::displacement_of_rib_at_wall() const

@@ -116,7 +116,7 @@ Filling ShearBox::filling()
   return {world_,
           parameters_.box,
           {f.seed, f.drop_height, parameters_.stones.density, n_shapes, {}},
-          {f.kinetic_energy_ratio, f.settling_time_limit, mean_size}};
+          {f.kinetic_energy_ratio, f.settling_time_limit, mean_size, parameters_.gravity}};
 }
 
 double ShearBox::weight_above_plane() const

@@ -32,7 +32,7 @@ Usable usable_part(const ShearStage& shear, const ShearBox& box)
   const std::vector<double> n = centred_mean(u, shear.normal_forces, filter),
                             p = centred_mean(u, shear.plate_forces, filter);
   for (std::size_t k = 0; k < u.size(); ++k) {
-    if (shear.overlap_left_at >= 0 && u[k] >= shear.overlap_left_at)
+    if (shear.watch.overlap_left_at >= 0 && u[k] >= shear.watch.overlap_left_at)
       return {k, "a contact overlaps by more than a tenth of the mean radius of a sphere (contacts "
                  "too soft for this load?)"};
     if (n[k] - p[k] - shear.weight_above > wedging_share * n[k])
@@ -115,12 +115,9 @@ void describe_forces(const ShearStage& shear, const ShearBox& box, nlohmann::ord
   // below some 1e-3 the rate does not matter.
   results["inertial_number"] = p.shear.speed / shear.plate_at_begin * box.mean_size *
                                std::sqrt(p.stones.density * box.area() / normal);
-  results["largest_overlap_m"] = shear.largest_overlap;
-  results["largest_overlap_over_mean_sphere_radius"] =
-      shear.largest_overlap / box.mean_sphere_radius;
-  results["smallest_stable_step_s"] = shear.smallest_stable_step;
 }
 
+// After what the contacts say: the earlier of the two counts.
 void describe_usability(const Usable& usable, double from, Summary& summary)
 {
   if (usable.reason.empty()) return;
@@ -164,11 +161,8 @@ void ShearBox::finish(std::vector<Stage>& plan, RunRecords& records) const
   const ShearStage measured = part_of(shear, usable.records);
   describe_strength(measured, *this, summary.results);
   describe_forces(measured, *this, summary.results);
+  describe_contacts(shear.watch, world_, mean_sphere_radius, "shearing", records);
   describe_usability(usable, measured.displacements.back(), summary);
-  if (world_.clock.dt > shear.smallest_stable_step)
-    records.warn(
-        fmt::format("The time step of {:.3g} s was above the live stable step of {:.3g} s.",
-                    world_.clock.dt, shear.smallest_stable_step));
   warn_of_ledger(shear.ledger, records);
   summary.ledger_closes = shear.ledger.relative_error() <= ledger_failure;
 }

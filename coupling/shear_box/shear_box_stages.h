@@ -4,6 +4,7 @@
 
 #include "coupling/loop/energy_ledger.h"
 #include "coupling/run/stage.h"
+#include "coupling/stones/contact_watch.h"
 #include "coupling/stones/filling.h"
 #include "coupling/stones/settling.h"
 
@@ -40,10 +41,7 @@ struct ShearStage {
   std::vector<double> displacements, heights;                    // of the lower half, plate [m]
   std::vector<double> shear_forces, normal_forces, plate_forces; // [N]
   EnergyLedger ledger_at_begin, ledger;                          // at the first and last record
-  double largest_overlap = 0;                                    // of all contacts and steps [m]
-  double smallest_stable_step = 1e300;                           // at the records [s]
-  // Displacement from which on overlaps are too large for ballast; negative: never [m].
-  double overlap_left_at = -1;
+  ContactWatch watch;
 };
 
 void unite_notes(ShearStage& stage, ShearBox& box);
@@ -89,8 +87,6 @@ template <class Archive> void exchange(Archive& archive, ShearStage& stage)
   archive("plate_forces", stage.plate_forces, "N");
   archive("ledger_at_begin", stage.ledger_at_begin);
   archive("ledger", stage.ledger);
-  archive("largest_overlap", stage.largest_overlap, "m");
-  archive("smallest_stable_step", stage.smallest_stable_step, "s");
-  archive("overlap_left_at", stage.overlap_left_at, "m");
+  exchange(archive, stage.watch);
 }
 } // namespace interlock::coupling

@@ -3,15 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace interlock::coupling
 {
 namespace
 {
-// A surface that is pressed in by more than this share of its radius is another surface [-].
-constexpr double usable_overlap = 0.1;
-
 bool ramping(const ShearStage& stage, const ShearBox& box)
 {
   // One step more, which reaches the full speed.
@@ -44,10 +39,7 @@ void record(ShearStage& stage, ShearBox& box, RunRecords& records)
   stage.displacements.push_back(displacement(world.engine, box.walls));
   stage.heights.push_back(box.plate_height());
   add_means(stage, shear_forces(world.engine, box.walls));
-  const dem::StableStep live = world.stable_step();
-  if (live.step > 0) stage.smallest_stable_step = std::min(stage.smallest_stable_step, live.step);
-  if (stage.overlap_left_at < 0 && stage.largest_overlap > usable_overlap * box.mean_sphere_radius)
-    stage.overlap_left_at = stage.displacements.back();
+  note_record(stage.watch, world, stage.displacements.back(), box.mean_sphere_radius);
   const double shear = stage.shear_forces.back(), normal = stage.normal_forces.back(),
                plate = stage.plate_forces.back();
   std::vector<History::Cell> row = {world.clock.time(),
@@ -93,7 +85,7 @@ StageStatus before_step(ShearStage& stage, ShearBox& box, RunRecords&)
 
 void unite_notes(ShearStage& stage, ShearBox& box)
 {
-  stage.largest_overlap = box.world().largest(stage.largest_overlap);
+  stage.watch.largest_overlap = box.world().largest(stage.watch.largest_overlap);
 }
 
 void look(ShearStage& stage, ShearBox& box, RunRecords& records)
@@ -101,11 +93,7 @@ void look(ShearStage& stage, ShearBox& box, RunRecords& records)
   World& world = box.world();
   const ShearParameters& p = box.parameters().shear;
   stage.over = stage.is_last;
-  if (stage.record_due) {
-    stage.largest_overlap = std::max(stage.largest_overlap, world.largest_overlap());
-    unite_notes(stage, box);
-    record(stage, box, records);
-  }
+  if (stage.record_due) record(stage, box, records);
   if (stage.frame_due) {
     records.add_frame(world);
     ++stage.frames;
@@ -121,7 +109,7 @@ void after_step(ShearStage& stage, ShearBox& box, RunRecords&)
   const World& world = box.world();
   const double dt = world.clock.dt;
   const ShearForces forces = shear_forces(world.engine, box.walls);
-  stage.largest_overlap = std::max(stage.largest_overlap, world.largest_overlap());
+  note_overlap(stage.watch, world);
   stage.shear_impulse += forces.shear * dt;
   stage.normal_impulse += normal_force(forces, stage) * dt;
   stage.plate_impulse += forces.plate * dt;

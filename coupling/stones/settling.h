@@ -10,6 +10,7 @@ struct SettlingParameters {
   double kinetic_energy_ratio = 0; // still when E_kin < ratio * weight * mean stone size [-]
   double time_limit = 0;           // after the least time; ends with a warning [s]
   double mean_size = 0;            // of a stone [m]
+  double gravity = 0; // for the weight; that of the case, also where it is switched off [m/s2]
 };
 
 // How still: small stones keep slipping into voids for long, which does not matter before the next
@@ -35,6 +36,7 @@ template <class Archive> void exchange(Archive& archive, Settling& settling)
   archive("looseness", settling.looseness);
 }
 
+// Still: little kinetic energy, and walls that keep a force press with it.
 enum class Stillness { moving, still, timed_out };
 
 inline Settling begin_settling(const World& world, double least, double looseness)

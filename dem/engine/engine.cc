@@ -48,6 +48,14 @@ Engine::Engine(std::vector<ClumpShape> shapes, const ContactProperties& stone_on
 {
 }
 
+void Engine::set_gravity(double gravity)
+{
+  for (int i = 0; i < clumps_.size(); ++i)
+    inserted_ += clumps_.mass[i] * (gravity - gravity_) * clumps_.position[i].z();
+  gravity_ = gravity;
+  lists_.invalidate();
+}
+
 int Engine::add_clump(int shape, double density, const Vector3& position,
                       const Quaternion& orientation, const Vector3& velocity)
 {
@@ -196,24 +204,6 @@ void Engine::complete_wall_forces()
   const double* number = numbers.data();
   for (Vector3* sum : sums) *sum = Eigen::Map<const Vector3>(number), number += 3;
   wall_forces_are_whole_ = true;
-}
-
-void Engine::control_wall(WallId id, const ForceControl& control)
-{
-  check(control);
-  wall_index(id); // must be there
-  controls_.push_back({id, control});
-}
-
-void Engine::set_controlled_force(WallId id, double force)
-{
-  for (ControlledWall& controlled : controls_) {
-    if (controlled.wall != id) continue;
-    controlled.control.force = force;
-    check(controlled.control);
-    return;
-  }
-  throw std::invalid_argument("The wall " + std::to_string(id) + " keeps no force.");
 }
 
 int Engine::add_mesh_wall(const MeshWall& wall)

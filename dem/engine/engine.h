@@ -77,6 +77,9 @@ public:
   std::vector<Wall>& walls() { return walls_; }
   const std::vector<Wall>& walls() const { return walls_; }
   double gravity() const { return gravity_; }
+  // Another gravity from now on, 0: none [m/s2]. What that adds to the energy of height is booked
+  // as inserted. Every stone must be here.
+  void set_gravity(double gravity);
   // Pair properties of stones; changing them between steps is allowed.
   ContactProperties& stone_contact() { return stone_on_stone_; }
   const ContactProperties& stone_contact() const { return stone_on_stone_; }
@@ -102,6 +105,11 @@ public:
   // Another force to keep for a wall that keeps one, 0 or more [N]. Throws std::invalid_argument
   // when it keeps none.
   void set_controlled_force(WallId wall, double force);
+  bool keeps_force(WallId wall) const;
+  // Whether every wall that keeps a force presses the stones with at least this share of it [-].
+  bool controlled_walls_press(double share) const;
+  // The wall keeps its force no longer, but the velocity that it has now.
+  void release_wall(WallId wall);
 
   // Walls of triangles (theory/walls.md). What a new one stores from the start, where it overlaps
   // clumps, is booked as inserted. Change their motion between compute_forces and move_walls.

@@ -5,7 +5,7 @@ history, frames, results. One line a try; exit code 1 when one differs.
     ranks.py CASES [--program PROGRAM] [--ranks 2,3,4] [--seed SEED] [--tries N] [--minutes M] [--keep]
 
 CASES is one of
-    fixed    each case of the list below on each number of ranks, and one stopped and resumed on another number
+    fixed    each case of the list below on each number of ranks, and two stopped and resumed on another number
     random   cases of the list with random parameters on random numbers of ranks, stopped and resumed at random
              moments, until N tries are made or M minutes are over
     FILE     a parameter file, on each number of ranks
@@ -34,6 +34,7 @@ import compare_runs  # noqa: E402
 SMALL = ROOT / "tests/reliability/small.prm"
 PACKING = ROOT / "cases/benchmark/w1.prm"
 THROWN = ["Time/Warm-up steps=0", "Packing/Throw speed=1", "Packing/Throw spin=30"]
+TRIAXIAL = ("triaxial, between walls that keep a pressure", HERE / "cases/triaxial.prm", [])
 # Name, parameter file, entries. What each of them is there for is in its name.
 FIXED = [
     ("pull-out, flexible", SMALL, []),
@@ -48,6 +49,7 @@ FIXED = [
     ("pull-out, stones crush", SMALL, ["Contact/Crushing pressure=2e7", "Pull/Distance=0.002"]),
     ("heap, rolling, on triangles", HERE / "cases/heap.prm", []),
     ("shear box, below a plate that keeps its force", HERE / "cases/shear_box.prm", []),
+    TRIAXIAL,
     ("packing, thrown", PACKING, THROWN + ["Time/Timed steps=4000"]),
     ("packing, squeezed", PACKING, ["Packing/Squeeze=0.009", "Time/Warm-up steps=200", "Time/Timed steps=1000",
                                     "Packing/Missed contact checks=2"]),
@@ -74,15 +76,19 @@ class Runner:
         self.lattice_in_parts = False
 
     def run(self, name, case, entries, ranks, options=(), stop_after=None):
-        """Returns the exit code; after `stop_after` seconds the run is told to stop."""
+        """Returns the exit code; `stop_after` seconds after its first words the run is told to stop: before them, on
+        a busy machine, it would end without a state."""
         command = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
         command += [str(self.program), "run", str(case), "--output", str(self.folder / name), *options]
         for entry in [*entries, "Output/Report=false"] if case != PACKING else entries:
             command += ["--set", entry]
         told_to_stop = False
         with open(self.folder / (name + ".log"), "a") as log:
+            length = os.fstat(log.fileno()).st_size
             process = subprocess.Popen(command, stdout=log, stderr=log, env=environment(self.deal_every, self.lattice_in_parts),
                                        cwd=self.folder)
+            while stop_after and process.poll() is None and os.fstat(log.fileno()).st_size == length:
+                time.sleep(0.02)
             try:
                 code = process.wait(timeout=stop_after)
             except subprocess.TimeoutExpired:
@@ -168,11 +174,13 @@ def stopped_and_resumed(runner, name, case, entries, numbers, moments):
 
 def fixed(runner, numbers):
     yield from on_each_number(runner, FIXED, numbers)
-    name, case, entries = FIXED[0]
-    runner.run("one", case, entries, 1)
     most = max(numbers)
-    yield stopped_and_resumed(runner, name + ", stopped and resumed", case, entries, [2, 1, most, 2], [2, 1, 3, None])
-    runner.forget("one")
+    slow = (*TRIAXIAL[:2], ["Compression/Strain rate=0.1"])
+    for name, case, entries in (FIXED[0], slow):
+        runner.run("one", case, entries, 1)
+        yield stopped_and_resumed(runner, name + ", stopped and resumed", case, entries, [2, 1, most, 2],
+                                  [2, 1, 3, None])
+        runner.forget("one")
 
 
 def random_case(chance):

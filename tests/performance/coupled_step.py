@@ -17,7 +17,7 @@ import sys
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 INTERLOCK = os.environ.get("INTERLOCK", os.path.join(ROOT, "build", "release", "bin", "interlock"))
-CASE = os.path.join(ROOT, "cases", "pullout", "quick.prm")
+CASE = os.path.join(ROOT, "tests", "performance", "quick_loose.prm")
 PAPER, MATERIAL = "Contact/Geogrid stiffness=9.76e8", "Contact/Geogrid stiffness=0"
 VARIANTS = {"paper": [PAPER, "Geogrid/Rigid=false"], "material": [MATERIAL, "Geogrid/Rigid=false"],
             "rigid": [PAPER, "Geogrid/Rigid=true"]}

@@ -5,7 +5,7 @@ ranks did with their time. Prints a table for docs/performance.md.
     rank_scaling.py [CASE]... [--ranks 1,2] [--rounds 3] [--program PROGRAM]
 
 CASE is w1, w2 (cases/benchmark), w3 (16 copies of W2 side by side, 26,240 stones), quick or pullout
-(cases/pullout), w1 and w2 if not given. Each rank gets a core of its own; more ranks than cores measure nothing.
+(cases/pullout, loose), w1 and w2 if not given. Each rank gets a core of its own; more ranks than cores measure nothing.
 """
 import argparse
 import gzip
@@ -18,6 +18,8 @@ import subprocess
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+# The pull-outs whose times are in docs/theory/parallel.md.
+CASES = {"quick": "tests/performance/quick_loose.prm", "pullout": "cases/pullout/loose.prm"}
 STEPS = {"w3": ["Time/Warm-up steps=300", "Time/Timed steps=1000", "Output/Records=2"]}
 
 
@@ -53,7 +55,7 @@ class Case:
     def __init__(self, name, folder):
         self.name, self.entries = name, STEPS.get(name, [])
         if name in ("quick", "pullout"):
-            self.file, self.entries = ROOT / f"cases/pullout/{name}.prm", ["Output/Report=false"]
+            self.file, self.entries = ROOT / CASES[name], ["Output/Report=false"]
         else:
             self.file = ROOT / f"cases/benchmark/{'w2' if name == 'w3' else name}.prm"
         if name == "w3":

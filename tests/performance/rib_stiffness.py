@@ -16,7 +16,7 @@ import sys
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 INTERLOCK = os.environ.get("INTERLOCK", os.path.join(ROOT, "build", "release", "bin", "interlock"))
-CASE = os.path.join(ROOT, "cases", "pullout", "quick.prm")
+CASE = os.path.join(ROOT, "tests", "performance", "quick_loose.prm")
 STIFFNESSES = {"paper": 9.76e8, "3e6": 3e6, "material": 0}
 
 

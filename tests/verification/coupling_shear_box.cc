@@ -7,12 +7,10 @@
 // asked for. Fails when a wall is missing from a sum, a sign is wrong, the weight above the plane
 // is left out, or the plate does not keep its force.
 #include "coupling/shear_box/shear_box.h"
+#include "tests/history_rows.h"
+#include "tests/placed_stones.h"
 #include "tests/run_case.h"
 #include "tests/temporary_folder.h"
-
-#include <fstream>
-#include <map>
-#include <sstream>
 
 using namespace interlock;
 using namespace interlock::coupling;
@@ -43,24 +41,6 @@ public:
   }
   void finish(std::vector<Stage>&, RunRecords&) const {}
 };
-
-// Spheres with the centre of mass at their middle and the inertia of a brick.
-Stone stone_of(std::vector<dem::Sphere> spheres)
-{
-  Stone stone;
-  stone.shape.name = "placed";
-  stone.shape.volume = 4 * M_PI / 3 * r * r * r * double(spheres.size());
-  Eigen::AlignedBox3d bounds;
-  for (const dem::Sphere& s : spheres) {
-    bounds.extend(Vector3(s.centre.array() - s.radius));
-    bounds.extend(Vector3(s.centre.array() + s.radius));
-  }
-  const Vector3 d = bounds.sizes().cwiseAbs2();
-  stone.shape.unit_inertia =
-      stone.shape.volume / 12 * Vector3(d.y() + d.z(), d.x() + d.z(), d.x() + d.y());
-  stone.shape.spheres = std::move(spheres);
-  return stone;
-}
 
 ShearBoxParameters parameters(double length, double width, double height)
 {
@@ -117,27 +97,6 @@ protected:
     box.prepare(request.monitor, {});
     coupling::Run<Poured>(box, request).run();
   }
-
-  // Rows of history.csv, by column without unit.
-  std::vector<std::map<std::string, double>> history() const
-  {
-    std::ifstream file(folder / "history.csv");
-    std::string line, cell;
-    std::vector<std::string> names;
-    std::vector<std::map<std::string, double>> rows;
-    while (std::getline(file, line)) {
-      std::istringstream cells(line);
-      std::map<std::string, double> row;
-      for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
-        if (rows.empty() && names.size() <= i)
-          names.push_back(cell.substr(0, cell.find(" [")));
-        else
-          row[names[i]] = std::stod(cell);
-      }
-      if (!row.empty()) rows.push_back(row);
-    }
-    return rows;
-  }
 };
 } // namespace
 
@@ -163,7 +122,7 @@ TEST_F(ShearBoxTest, SingleStoneSlidesWithTheFrictionOfTheWall)
     EXPECT_NEAR(summary.results["residual_friction_ratio"], friction, 0.001 * friction);
     // The floor carries what the plane does, with the friction of the side that holds the stone.
     const Vector3 floor = box.world().engine.wall(box.walls.lower.front()).force;
-    const auto last = history().back();
+    const auto last = history_rows(folder).back();
     EXPECT_NEAR(-floor.z(), last.at("normal_force"), 0.002 * last.at("normal_force"));
     EXPECT_NEAR(-floor.x(), last.at("shear_force"), 0.002 * last.at("shear_force"));
     EXPECT_NEAR(last.at("plate_force") + double(summary.results["weight_above_plane_N"]),
@@ -199,7 +158,7 @@ TEST_F(ShearBoxTest, RegularLayersClimbOverEachOther)
     const Summary summary = run(box);
     int compared = 0;
     double before = 0;
-    for (const auto& row : history()) {
+    for (const auto& row : history_rows(folder)) {
       const double u = row.at("displacement");
       // Forces are means since the record before. At first the springs are loaded.
       const double alpha = std::asin((r - 0.5 * (u + before)) / (2 * r));

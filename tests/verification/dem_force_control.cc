@@ -144,9 +144,15 @@ TEST(ForceControl, EngineKeepsTheForceOfAWall)
   Engine& engine = press.stage.engine;
   press.control.force = 300;
   press.control.largest_speed = 0.05;
+  EXPECT_TRUE(engine.controlled_walls_press(1)); // there are none
   engine.control_wall(1, press.control);
+  press.stage.forces(dt);
+  EXPECT_FALSE(engine.controlled_walls_press(0.9)); // on its way
+  press.stage.move(dt);
   for (int n = 0; n < 8000; ++n) press.stage.forces(dt), press.stage.move(dt);
   EXPECT_NEAR(engine.walls()[1].force.z(), 300, 3);
+  EXPECT_TRUE(engine.controlled_walls_press(0.9));
+  EXPECT_FALSE(engine.controlled_walls_press(1.1));
   engine.set_controlled_force(1, 150);
   for (int n = 0; n < 8000; ++n) press.stage.forces(dt), press.stage.move(dt);
   EXPECT_NEAR(engine.walls()[1].force.z(), 150, 1.5);

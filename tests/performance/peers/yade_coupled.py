@@ -4,7 +4,7 @@ packages yade, python3-h5py) on the same packed box, one core.
 
     python3 tests/performance/peers/yade_coupled.py STATE [--rounds 3] [--core 0] [--folder results/yade_coupled]
 
-STATE is a state_before_pull.h5 of `interlock run cases/pullout/quick.prm`. YADE steps stones and ribs together,
+STATE is a state_before_pull.h5 of `interlock run tests/performance/quick_loose.prm`. YADE steps stones and ribs together,
 at the sub-step of the ribs; interlock steps the stones at their own. So two ratios are printed: of a step, and of
 the time for the same simulated time. Differences: YADE's ribs are round, with the area of ours; it has one stiffness
 for all contacts, no dashpots but local damping.
@@ -24,7 +24,7 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, "..", "..", "..")
 INTERLOCK = os.environ.get("INTERLOCK", os.path.join(ROOT, "build", "release", "bin", "interlock"))
-CASE = os.path.join(ROOT, "cases", "pullout", "quick.prm")
+CASE = os.path.join(ROOT, "tests", "performance", "quick_loose.prm")
 RIB_WIDTH, RIB_THICKNESS, ELEMENT = 5e-3, 2.5e-3, 0.065 / 8  # of the case [m]
 PAPER = "Contact/Geogrid stiffness=9.76e8"
 
