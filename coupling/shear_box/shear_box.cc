@@ -56,22 +56,16 @@ void ShearBox::prepare(const Monitor& monitor, const std::vector<CaseEntry>&)
 void ShearBox::set_up(const std::vector<Stone>& stones)
 {
   check_gap(stones, parameters_.gap);
-  const StoneBatch batch = add_shapes(stones, world_.engine.clumps());
+  const StoneBatch batch = add_shapes(stones, parameters_.stones.density, parameters_.time, world_);
   n_shapes = batch.shapes;
   mean_size = batch.mean_size;
   mean_sphere_radius = batch.mean_sphere_radius;
   stone_warnings_ = batch.warnings;
-
-  const dem::StableStep stable = world_.engine.expected_stable_step(
-      std::vector<double>(n_shapes, parameters_.stones.density), expected_contacts);
-  const double given = choose_time_step(parameters_.time, stable);
-  world_.step_rule = step_rule(parameters_.time, stable);
-  world_.clock.set_step(parameters_.time.step > 0 ? given : world_.step_rule.step({}));
+  preparation_ = batch.text;
   walls =
       build_shear_box(world_.engine, parameters_.box, parameters_.gap, parameters_.shear.distance,
                       stone_on_box(parameters_.contact), stone_on_floor_and_plate());
   world_.engine.set_local_damping(parameters_.filling.local_damping);
-  preparation_ = fmt::format("{}; {}", batch.text, time_step_budget(world_.clock.dt, stable));
 }
 
 std::vector<ShearBox::Stage> ShearBox::plan() const

@@ -33,6 +33,19 @@ StoneBatch add_shapes(const std::vector<Stone>& stones, dem::Clumps& clumps)
   return batch;
 }
 
+StoneBatch add_shapes(const std::vector<Stone>& stones, double density, const TimeParameters& time,
+                      World& world)
+{
+  StoneBatch batch = add_shapes(stones, world.engine.clumps());
+  const dem::StableStep stable = world.engine.expected_stable_step(
+      std::vector<double>(batch.shapes, density), expected_contacts);
+  const double given = choose_time_step(time, stable);
+  world.step_rule = step_rule(time, stable);
+  world.clock.set_step(time.step > 0 ? given : world.step_rule.step({}));
+  batch.text += "; " + time_step_budget(world.clock.dt, stable);
+  return batch;
+}
+
 double mean_spheres(const dem::Clumps& clumps)
 {
   std::size_t spheres = 0;

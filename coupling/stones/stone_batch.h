@@ -1,9 +1,10 @@
 // The stones of a run as shapes of its engine, and what is to be said about all of them.
 #pragma once
 
+#include "coupling/loop/world.h"
 #include "coupling/parameters/box_parameters.h"
+#include "coupling/parameters/time_step.h"
 #include "coupling/stones/stone_shapes.h"
-#include "dem/bodies/clumps.h"
 
 #include <cstdint>
 #include <string>
@@ -21,6 +22,11 @@ struct StoneBatch {
 
 // Adds their shapes behind those that are there.
 StoneBatch add_shapes(const std::vector<Stone>& stones, dem::Clumps& clumps);
+
+// The same, and chooses the step of a world whose stones have this density [kg/m3]; the text says
+// what the step is made of, too. Throws InputError when the given step is too long.
+StoneBatch add_shapes(const std::vector<Stone>& stones, double density, const TimeParameters& time,
+                      World& world);
 
 // Of the shapes of an engine.
 double mean_spheres(const dem::Clumps& clumps);

@@ -35,20 +35,14 @@ void Triaxial::prepare(const Monitor& monitor, const std::vector<CaseEntry>&)
 
 void Triaxial::set_up(const std::vector<Stone>& stones)
 {
-  const StoneBatch batch = add_shapes(stones, world_.engine.clumps());
+  const StoneBatch batch = add_shapes(stones, parameters_.stones.density, parameters_.time, world_);
   n_shapes = batch.shapes;
   mean_size = batch.mean_size;
   mean_sphere_radius = batch.mean_sphere_radius;
   stone_warnings_ = batch.warnings;
-
-  const dem::StableStep stable = world_.engine.expected_stable_step(
-      std::vector<double>(n_shapes, parameters_.stones.density), expected_contacts);
-  const double given = choose_time_step(parameters_.time, stable);
-  world_.step_rule = step_rule(parameters_.time, stable);
-  world_.clock.set_step(parameters_.time.step > 0 ? given : world_.step_rule.step({}));
+  preparation_ = batch.text;
   walls = build_triaxial_box(world_.engine, parameters_.box, stone_on_box(parameters_.contact));
   world_.engine.set_local_damping(parameters_.filling.local_damping);
-  preparation_ = batch.text + "; " + time_step_budget(world_.clock.dt, stable);
 }
 
 std::vector<Triaxial::Stage> Triaxial::plan() const

@@ -163,18 +163,19 @@ TEST_F(TriaxialTest, FaceCentredPackingFailsAsItsContactsSlip)
       const double force_ratio = row.at("axial_stress") * length /
                                  (0.5 * (row.at("stress_x") + row.at("stress_y")) * height);
       const double expected = root / std::tan(theta - std::atan(friction));
-      EXPECT_NEAR(force_ratio, expected, 0.01 * expected) << friction << " " << theta;
+      EXPECT_NEAR(force_ratio, expected, 0.003 * expected) << friction << " " << theta;
       const double layers = (height - 2 * r) / (4 * r);
       const double spread = 2 * r + 2 * root * r * std::sqrt(1 - layers * layers);
       EXPECT_NEAR(length, spread, 2e-4 * spread);
       EXPECT_NEAR(width, spread, 2e-4 * spread);
       EXPECT_NEAR(row.at("volume_change"),
-                  spread * spread * height / (16 * r * r * p.box.height) - 1, 2e-3);
+                  spread * spread * height / (16 * r * r * p.box.height) - 1, 5e-4);
       // sigma_1/sigma_3 of the endless packing, whose cell is root 2 layers high.
       strongest = std::max(strongest, root * force_ratio / std::tan(theta));
       ++compared;
     }
     EXPECT_GT(compared, 90);
+    // At the first record that counts theta has grown already.
     const double thornton = 2 * (1 + friction) / (1 - friction);
     EXPECT_NEAR(strongest, thornton, 0.02 * thornton) << friction;
     const double sides = summary.results["mean_stress_x_Pa"];
