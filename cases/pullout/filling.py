@@ -74,15 +74,22 @@ def table(fillings):
     return "\n".join(lines) + "\n"
 
 
-def main():
+def read_arguments(description, folder, add=lambda parser: None):
+    """What all scripts of this kind are told, and the options of `interlock run` behind "--". Makes the folder."""
     own = sys.argv[1:]
     options = own[own.index("--") + 1:] if "--" in own else []
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("results/filling"))
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path(folder))
     parser.add_argument("--seeds", default="1,2,3,4,5")
     parser.add_argument("--program", default=str(ROOT / "build/release/bin/interlock"))
+    add(parser)
     arguments = parser.parse_args(own[:own.index("--")] if "--" in own else own)
     arguments.folder.mkdir(parents=True, exist_ok=True)
+    return arguments, options
+
+
+def main():
+    arguments, options = read_arguments(__doc__.splitlines()[0], "results/filling")
     fillings = {kind: [results_of(arguments.folder, kind, seed, arguments.program, options)
                        for seed in arguments.seeds.split(",")] for kind in KINDS}
     text = table(fillings)

@@ -8,7 +8,6 @@ stones_and_filling.md.
 
 default: results/stones_and_filling; after `make build`. Runs that are complete are not made again.
 """
-import argparse
 import concurrent.futures
 import csv
 import json
@@ -17,7 +16,10 @@ import statistics
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+from filling import cell, read_arguments  # noqa: E402
+
 QUICK = ["Pull/Speed=0.1", "Pull/Distance=0.02", "Pull/Ramp time=0.01", "Filling/Kinetic energy ratio=4e-4"]
 PAPER = ["Pull/Distance=0.021"]  # the last displacement of the table, and half a window more
 CASES = {
@@ -43,7 +45,7 @@ def make(run, file, entries, program, options):
     if (run / "summary.json").exists():
         return
     words = [word for entry in [*entries, "Output/Field frames=0", "Output/Report=false"] for word in ("--set", entry)]
-    done = subprocess.run([program, "run", ROOT / "cases/pullout" / file, *words, *options, "--force", "-o", run],
+    done = subprocess.run([program, "run", HERE / file, *words, *options, "--force", "-o", run],
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     print(run.name, flush=True)
     if done.returncode not in (0, 3):  # 3: a part of the pull is not to be used, which the table says
@@ -56,11 +58,6 @@ def values_of(run):
     values.update({f"force at {place} mm [N]": force_at(run, place) for place in PLACES})
     values["not usable from [mm]"] = results.get("not_usable_from_mm")
     return values
-
-
-def cell(values, digits):
-    deviation = f" ± {statistics.stdev(values):.{digits}f}" if len(values) > 1 else ""
-    return f"{statistics.mean(values):.{digits}f}{deviation}"
 
 
 def table(columns):
@@ -76,16 +73,10 @@ def table(columns):
 
 
 def main():
-    own = sys.argv[1:]
-    options = own[own.index("--") + 1:] if "--" in own else []
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("results/stones_and_filling"))
-    parser.add_argument("--seeds", default="1,2,3,4,5")
-    parser.add_argument("--cases", default="quick,paper")
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--program", default=str(ROOT / "build/release/bin/interlock"))
-    arguments = parser.parse_args(own[:own.index("--")] if "--" in own else own)
-    arguments.folder.mkdir(parents=True, exist_ok=True)
+    def add(parser):
+        parser.add_argument("--cases", default="quick,paper")
+        parser.add_argument("--jobs", type=int, default=2)
+    arguments, options = read_arguments(__doc__.splitlines()[0], "results/stones_and_filling", add)
     seeds, runs, waiting = arguments.seeds.split(","), {}, []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         for seed in seeds:
