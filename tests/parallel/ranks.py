@@ -98,9 +98,10 @@ class Runner:
         said = said[max(0, said.rfind("Going on from")):]  # of the last part of the run
         if told_to_stop and "Everything is in" in said:  # it had just ended
             return 0
-        # On a busy machine the moment may come while MPI is still starting: nothing has been said or written.
-        began = (self.folder / name).exists() or said.strip()
-        return 130 if told_to_stop and ("interlock: interrupted" in said or not began) else code
+        # While MPI starts and stones are made a run on a busy machine may not answer before mpirun kills it: there is no state
+        # to go on from yet.
+        too_early = code in (1, 143) and not (self.folder / name / "checkpoint.h5").exists()
+        return 130 if told_to_stop and ("interlock: interrupted" in said or too_early) else code
 
     def differences(self, one, other):
         found = list(compare_runs.differences(self.folder / one, self.folder / other))
