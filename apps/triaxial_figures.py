@@ -36,7 +36,7 @@ def strength_axes(axes):
     axes.set_xlim(4, 150)
     axes.set_xticks([5, 10, 20, 30, 60, 100], ["5", "10", "20", "30", "60", "100"])
     axes.minorticks_off()
-    axes.set_ylim(20, 85)
+    axes.set_ylim(0, 80)
     axes.set_xlabel("cell pressure [kPa]")
     axes.set_ylabel("friction angle [degrees]")
     axes.grid(color="0.92")

@@ -45,8 +45,6 @@ TEST_F(BadTriaxial, ValuesOutsideTheirRange)
          {"a number greater than 0, in 1/s."});
   expect("Compression/Strain=0", "\"Compression/Strain\" is \"0\"", {"0.5"});
   expect("Compression/Strain=15", "\"Compression/Strain\" is \"15\"", {"0.5"});
-  expect("Load/Compaction stress=5000",
-         {"The compaction stress is 5000 Pa", "at least the cell pressure, 30000 Pa, or 0"});
   expect("Compression/Ramp time=-1", "\"Compression/Ramp time\" is \"-1\"",
          {"a number of 0 or more, in s."});
   expect("Box/Height=-0.3", "\"Box/Height\" is \"-0.3\"", {"a number greater than 0, in m."});
@@ -65,6 +63,8 @@ TEST_F(BadTriaxial, ContradictionsAndUnknownNames)
 {
   expect("Compression/Ramp time=4", "Compression/Ramp time",
          {"needs a strain of 0.2 to reach full speed in 4 s", "0.15 only."});
+  expect("Load/Compaction stress=5000", "Load/Compaction stress",
+         {"The compaction stress is 5000 Pa", "at least the cell pressure, 30000 Pa, or 0"});
   expect("Contact/Stone on box friction=-0.5", "Contact/Stone on box friction", {"-0.5"});
   expect("Compression/Strain rat=1", "\"Compression/Strain rat\"",
          {"the nearest known one is \"Compression/Strain rate\""});
