@@ -64,8 +64,8 @@ void write_means(const RunTable& table, const Numbers& grid, const std::vector<N
       Numbers values;
       for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const RunRow& row = table.rows[r];
-        if (plan.tasks[row.task].point == p && grid[k] < row.not_usable_from &&
-            std::isfinite(forces[r][k]))
+        if (plan.tasks[row.task].point == p && row.status != "failed" &&
+            grid[k] < row.not_usable_from && std::isfinite(forces[r][k]))
           values.push_back(forces[r][k]);
       }
       const SampleMean sample = sample_mean(values, plan.study.confidence);
