@@ -126,7 +126,7 @@ FactorKind Factor::kind() const
   for (const Level& level : levels)
     for (const Assignment& entry : level.entries) {
       any = true;
-      if (entry.section != "Geogrid") return FactorKind::set_up;
+      if (entry.section != "Geogrid" && entry.section != "Product") return FactorKind::set_up;
     }
   return any ? FactorKind::geogrid : FactorKind::set_up;
 }
