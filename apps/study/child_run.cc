@@ -59,7 +59,8 @@ Words command_for(const TaskFolder& task, int ranks)
 {
   const fs::path program = fs::read_symlink("/proc/self/exe");
   Words words;
-  if (ranks > 1) words = {"mpirun", "-n", std::to_string(ranks), "--oversubscribe"};
+  if (ranks > 1)
+    words = {"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
   words.insert(words.end(), {program.string(), "run", task.case_file().string(), "--output",
                              task.folder().string()});
   words.emplace_back(task.progress() == TaskProgress::stopped ? "--resume" : "--force");

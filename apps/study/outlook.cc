@@ -14,6 +14,8 @@ namespace interlock::apps
 {
 namespace
 {
+// A forecast makes the stones of a run, which takes a second.
+constexpr std::size_t most_forecasts = 32;
 constexpr double least_disk = 1e5; // of a run: history, summary, log [bytes]
 
 // Without the state to start from, which is not made yet: the same checks for all other entries.
@@ -71,19 +73,24 @@ Outlook look_ahead(const Plan& plan, const std::vector<RunInput>& inputs,
   Outlook outlook;
   outlook.tasks.resize(inputs.size());
   const auto groups = alike(plan);
+  const std::size_t step = 1 + (groups.size() - 1) / most_forecasts;
   double measured = 0, expected = 0;
-  int done = 0;
+  TaskCost last;
+  std::size_t number = 0;
   for (const auto& group : groups) {
     throw_if_interrupted();
-    checked(done++, static_cast<int>(groups.size()));
     const Task& first = plan.tasks[group.second.front()];
-    const TaskCost cost = cost_of(plan, first, forecast_of(plan, first));
+    if (number % step == 0 || first.makes_state) {
+      checked(static_cast<int>(number), static_cast<int>(groups.size()));
+      last = cost_of(plan, first, forecast_of(plan, first));
+    }
+    if (!first.makes_state) ++number;
     for (const int k : group.second) {
-      outlook.tasks[k] = cost;
+      outlook.tasks[k] = last;
       const nlohmann::ordered_json summary = TaskFolder(plan, plan.tasks[k]).summary();
       if (!summary.is_object()) continue;
       measured += summary.value("wall_time_s", 0.) * summary.value("ranks", 1);
-      expected += cost.time;
+      expected += last.time;
     }
   }
   if (measured > 0 && expected > 0) outlook.measured_share = measured / expected;

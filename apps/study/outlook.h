@@ -18,9 +18,10 @@ struct Outlook {
 };
 
 // Asks the forecast of the experiment, which makes the same checks as `interlock check`, once for
-// each point (its first filling); a run that is over counts with the time that it took, and the
-// others are then scaled by how far the forecast was off. Throws InputError when a combination
-// cannot be run. `checked` is called before each forecast.
+// each point (its first filling), or of more than 32 points for as many, evenly spaced, the next
+// ones counting alike; a run that is over counts with the time that it took, and the others are
+// then scaled by how far the forecast was off. Throws InputError when a combination cannot be run.
+// `checked` is called before each forecast.
 Outlook look_ahead(const Plan& plan, const std::vector<RunInput>& inputs,
                    const std::function<void(int done, int all)>& checked);
 

@@ -22,9 +22,9 @@ using Assignments = std::vector<Assignment>;
 constexpr std::size_t longest_name = 120;
 
 // The shortest pull: only the state before it is wanted.
-const std::vector<std::string> no_pull = {"Pull/Speed=0.01",       "Pull/Distance=2e-5",
-                                          "Pull/Ramp time=1e-3",   "Output/Records=1",
-                                          "Output/Field frames=0", "Output/Report=false"};
+const std::vector<std::string> no_pull = {
+    "Pull/Speed=0.01",  "Pull/Distance=2e-5",    "Pull/Ramp time=1e-3", "Geogrid/Break strain=0",
+    "Output/Records=1", "Output/Field frames=0", "Output/Report=false"};
 
 // For file names: letters, digits and . + - remain.
 std::string plain(const std::string& text)

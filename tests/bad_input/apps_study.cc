@@ -88,8 +88,9 @@ TEST_F(BadStudy, EntriesOfTheBaseCase)
           {"study.prm, line 3", "\"Pull/Speed\"", "\"-0.2\""});
   refused("subsection Fixed\n  set Pull/Sped = 1\nend\n", {"study.prm, line 3", "\"Pull/Speed\""});
   refused("set Fillings = 1, two\n", {"study.prm, line 2", "\"Filling/Seed\"", "\"two\""});
-  // One of the combinations alone is wrong: two ribs that are wider than their pitch.
-  refused(parameters("set Geogrid/Rib width = 0.005, 0.07\n"), {"study.prm, line 3", "Rib width"});
+  // One of the combinations alone is wrong: edges rounder than the rib is thick.
+  refused(parameters("set Geogrid/Edge rounding = 0.0005, 0.002"),
+          {"study.prm, line 3", "Edge rounding"});
 }
 
 TEST_F(BadStudy, States)
