@@ -48,6 +48,18 @@ std::pair<double, double> mean_and_fluctuation(const Numbers& place, const Numbe
   return {y / n, std::sqrt(squares / n)};
 }
 
+// Secant from the start to where the force first has made half of its way to its highest value
+// within `length`.
+double initial_stiffness(const Numbers& place, const Numbers& smooth, double length)
+{
+  double highest = smooth.front();
+  for (std::size_t k = 0; k < place.size() && place[k] <= length; ++k)
+    highest = std::max(highest, smooth[k]);
+  const double half = 0.5 * (highest - smooth.front());
+  const double at = coupling::first_place_at(place, smooth, smooth.front() + half) - place.front();
+  return at > 0 ? half / at : unknown;
+}
+
 // Where the work put in during the pull went.
 void add_energy_split(const Columns& history, std::vector<Measure>& measures)
 {
@@ -106,12 +118,9 @@ void add_pull_out(const Columns& history, const MeasureOptions& options,
   for (const double at : options.forces_at)
     measures.push_back(
         {fmt::format("force_at_{:g}_mm_N", 1e3 * at), value_at(place, smooth, at), at});
-  // The first record has no mean before it.
-  const Numbers places(place.begin() + 1, place.end()), forces(force.begin() + 1, force.end());
-  measures.push_back(
-      {"initial_stiffness_N_per_m",
-       coupling::slope_around(places, forces, 0.5 * options.stiffness_over, options.stiffness_over),
-       options.stiffness_over});
+  measures.push_back({"initial_stiffness_N_per_m",
+                      initial_stiffness(place, smooth, options.stiffness_over),
+                      options.stiffness_over});
   const auto peak = std::max_element(smooth.begin() + 1, smooth.end());
   measures.push_back({"peak_force_N", *peak});
   measures.push_back({"displacement_at_peak_force_mm", 1e3 * place[peak - smooth.begin()]});

@@ -105,26 +105,40 @@ private:
     state.entries = plan_.study.fixed;
     append(state.entries, plan_.study.fillings.levels[run.filling].entries);
     std::string name;
-    for (std::size_t f = 0; f < plan_.study.factors.size(); ++f) {
-      const Level& level = plan_.points[run.point].levels[f];
-      const auto before = state.entries.size();
+    for (const Level& level : plan_.points[run.point].levels)
       for (const Assignment& entry : level.entries)
-        if (acts_before_state(entry.key())) state.entries.push_back(entry);
-      if (state.entries.size() > before)
-        name += short_name(plan_.study, plan_.study.factors[f]) + '-' + plain(level.name) + '_';
-    }
-    name += filling_name(run.filling);
-    if (name.size() > longest_name) name = "state-" + std::to_string(names_.size() + 1);
-    const auto [found, first] = names_.emplace(name, static_cast<int>(states_.size()));
-    if (!first) return found->second;
-    state.name = name;
-    state.folder = fs::path("states") / name;
+        if (acts_before_state(entry.key())) {
+          state.entries.push_back(entry);
+          name += plain(entry.name) + '-' + plain(entry.value) + '_';
+        }
     for (const std::string& text : no_pull) {
       state.entries.push_back(parse_override(text));
       state.entries.back().place = plan_.study.file.string();
     }
+    const auto [found, first] =
+        states_by_case_.emplace(case_of(state), static_cast<int>(states_.size()));
+    if (!first) return found->second;
+    name += filling_name(run.filling);
+    const bool taken =
+        std::any_of(states_.begin(), states_.end(), [&](const Task& s) { return s.name == name; });
+    if (taken || name.size() > longest_name) name = "state-" + std::to_string(states_.size() + 1);
+    state.name = name;
+    state.folder = fs::path("states") / name;
     states_.push_back(std::move(state));
     return found->second;
+  }
+
+  // All values; of a case that is refused, which read_tasks() will say, the changes.
+  std::string case_of(const Task& task) const
+  {
+    try {
+      return read_varied_file(plan_.study.base_case, task.entries).used;
+    } catch (const InputError&) {
+      std::string changes;
+      for (const Assignment& entry : task.entries)
+        changes += entry.key() + '=' + entry.value + '\n';
+      return changes;
+    }
   }
 
   bool acts_before_state(const std::string& key) const
@@ -158,7 +172,7 @@ private:
 
   Plan plan_;
   std::vector<Task> states_, runs_;
-  std::map<std::string, int> names_; // of states
+  std::map<std::string, int> states_by_case_; // places in states_
 };
 
 void check_experiment(const Plan& plan)

@@ -123,6 +123,61 @@ void check_arguments(const StudyArguments& a)
         "ranks are its jobs.");
 }
 
+// What a study needs beside its plan; the first rank has it.
+struct Session {
+  std::unique_ptr<RunFolder> owner;
+  Outlook outlook;
+  std::unique_ptr<StudyDisplay> display;
+
+  void say(const std::string& sentence) const
+  {
+    if (display)
+      display->message(sentence);
+    else
+      std::cout << sentence << std::endl;
+  }
+};
+
+// Refuses what cannot be, says what will be, and takes the folder. Nothing is written before.
+void prepare(const Plan& plan, const std::vector<RunInput>& inputs, const StudyArguments& arguments,
+             int slots, Session& session)
+{
+  const bool runs_all = arguments.task < 0 && !arguments.collect && !arguments.check;
+  check_output_folder(plan.folder);
+  if (runs_all) session.owner = std::make_unique<RunFolder>(plan.folder, FolderUse::resume);
+  refuse_foreign_runs(plan, inputs, arguments.force && !arguments.check);
+  if (arguments.task >= 0 || arguments.collect) return;
+  session.outlook = look_ahead_on_terminal(plan, inputs);
+  std::cout << announcement(plan, session.outlook, slots) << std::endl;
+  if (arguments.check) return;
+  session.owner->take();
+  for (std::size_t k = 0; k < plan.tasks.size(); ++k)
+    TaskFolder(plan, plan.tasks[k]).write_case(inputs[k].used);
+  session.display =
+      std::make_unique<StudyDisplay>(plan, session.outlook, slots, plan.folder / "run.log");
+}
+
+// On all ranks; what ends the runs, ends all of them alike.
+void run_and_conclude(const Plan& plan, int slots, Session& session)
+{
+  std::exception_ptr failure;
+  if (all_ranks().rank() > 0) {
+    serve(plan);
+  } else {
+    try {
+      run_all(plan, all_ranks().size() > 1 ? slots_of_ranks(plan) : local_slots(plan, slots),
+              *session.display);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    dismiss_servers();
+  }
+  on_first_rank([&] {
+    if (failure) std::rethrow_exception(failure);
+    conclude(plan, [&](const std::string& sentence) { session.say(sentence); });
+  });
+}
+
 void study(const StudyArguments& arguments)
 {
   const StudyFile file = read_study_file(arguments.file);
@@ -133,55 +188,20 @@ void study(const StudyArguments& arguments)
   catch_interruption();
   check_arguments(arguments);
   const int slots = slots_of(plan, arguments);
-
-  std::unique_ptr<RunFolder> owner;
-  std::unique_ptr<StudyDisplay> display;
-  Outlook outlook;
-  on_first_rank([&] {
-    check_output_folder(plan.folder);
-    refuse_foreign_runs(plan, inputs, arguments.force && !arguments.check);
-    if (arguments.task >= 0 || arguments.collect) return;
-    if (!arguments.check) owner = std::make_unique<RunFolder>(plan.folder, FolderUse::resume);
-    outlook = look_ahead_on_terminal(plan, inputs);
-    std::cout << announcement(plan, outlook, slots) << std::endl;
-    if (arguments.check) return;
-    owner->take();
-    for (std::size_t k = 0; k < plan.tasks.size(); ++k)
-      TaskFolder(plan, plan.tasks[k]).write_case(inputs[k].used);
-    display = std::make_unique<StudyDisplay>(plan, outlook, slots, plan.folder / "run.log");
-  });
+  Session session;
+  on_first_rank([&] { prepare(plan, inputs, arguments, slots, session); });
   if (arguments.check) return;
-  if (arguments.task >= 0) return run_one(plan, inputs, arguments.task);
-  const auto say = [&](const std::string& sentence) {
-    if (display)
-      display->message(sentence);
-    else
-      std::cout << sentence << std::endl;
-  };
-  if (arguments.collect) return conclude(plan, say);
-  if (arguments.slurm)
-    return say(
-        "To submit the study: bash " +
-        shell_word(write_slurm_scripts(plan, outlook, arguments.jobs_given ? arguments.jobs : 0)
-                       .string()));
-
-  // What ends the runs, ends all ranks alike.
-  std::exception_ptr failure;
-  if (all_ranks().rank() > 0) {
-    serve(plan);
+  if (arguments.task >= 0) {
+    run_one(plan, inputs, arguments.task);
+  } else if (arguments.collect) {
+    conclude(plan, [&](const std::string& sentence) { session.say(sentence); });
+  } else if (arguments.slurm) {
+    const int at_once = arguments.jobs_given ? arguments.jobs : 0;
+    session.say("To submit the study: bash " +
+                shell_word(write_slurm_scripts(plan, session.outlook, at_once).string()));
   } else {
-    try {
-      run_all(plan, all_ranks().size() > 1 ? slots_of_ranks(plan) : local_slots(plan, slots),
-              *display);
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    dismiss_servers();
+    run_and_conclude(plan, slots, session);
   }
-  on_first_rank([&] {
-    if (failure) std::rethrow_exception(failure);
-    conclude(plan, say);
-  });
 }
 } // namespace
 

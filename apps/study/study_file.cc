@@ -46,7 +46,7 @@ void declare(ParameterTable& table, StudyFile& study, Texts& texts)
   table.offer("Mean over", study.measures.mean_over, 1e-3, coupling::positive,
               "Length of the centred mean of a force. [m]");
   table.offer("Stiffness over", study.measures.stiffness_over, 2e-3, coupling::positive,
-              "Displacement over which the initial stiffness is taken. [m]");
+              "Way within which the initial stiffness is looked for. [m]");
   table.offer("Fluctuation from", study.measures.fluctuation_from, 0.5, {0, 0.9},
               "Share of the way from which on the fluctuation is taken. [-]");
   table.offer("Confidence", study.confidence, 0.95, {0.5, 0.9999}, "Of the intervals. [-]");

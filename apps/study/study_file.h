@@ -14,7 +14,7 @@ namespace interlock::apps
 struct MeasureOptions {
   std::vector<double> forces_at; // displacements [m]
   double mean_over = 0;          // length of the centred mean of a force [m]
-  double stiffness_over = 0;     // from the start [m]
+  double stiffness_over = 0;     // way within which it is looked for [m]
   double fluctuation_from = 0;   // share of the way
 };
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -I
 """Kills a study (signal 9, or 15 every third time) at random moments and starts it again, and compares runs.csv, means.csv,
-differences.csv, variance.csv and curves.h5 with those of a study that nobody disturbed, on one job and on two. One line
-a comparison; exit code 1 when a byte differs.
+differences.csv, variance.csv and curves.h5 with those of a study that nobody disturbed, on one job, on two, and on three
+ranks of mpirun. One line a comparison; exit code 1 when a byte differs.
 
     study_kills.py [--kills N] [--jobs N] [--seed SEED] [--study FILE] [--program PROGRAM]
 
@@ -24,9 +24,9 @@ def command(arguments, folder, jobs):
     return [arguments.program, "study", arguments.study, "-o", folder, "--jobs", str(jobs)]
 
 
-def undisturbed(arguments, folder, jobs):
+def undisturbed(words):
     begin = time.monotonic()
-    done = subprocess.run(command(arguments, folder, jobs), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if done.returncode not in (0, 3):
         sys.exit(f"the undisturbed study ended with {done.returncode}: {done.stderr}")
     return done.returncode, time.monotonic() - begin
@@ -72,9 +72,11 @@ def main():
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
-        expected, duration = undisturbed(arguments, folder / "one", 1)
-        good = compare("two jobs against one", folder / "two", folder / "one",
-                       undisturbed(arguments, folder / "two", 2)[0], expected)
+        expected, duration = undisturbed(command(arguments, folder / "one", 1))
+        code, _ = undisturbed(command(arguments, folder / "two", 2))
+        good = compare("two jobs", folder / "two", folder / "one", code, expected)
+        code, _ = undisturbed(["mpirun", "-n", "3", arguments.program, "study", arguments.study, "-o", folder / "farm"])
+        good = compare("three ranks", folder / "farm", folder / "one", code, expected) and good
         code, kills = killed(arguments, folder / "killed", duration, random.Random(arguments.seed))
         good = compare(f"killed {kills} times", folder / "killed", folder / "one", code, expected) and good
     return 0 if good else 1

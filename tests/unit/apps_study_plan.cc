@@ -172,6 +172,12 @@ TEST_F(StudyPlan, RunsShareStates)
                  "  set Geogrid/Pitch along = 0.065, 0.06\nend\n")
                 .n_states,
             1);
+  // Levels that agree in what is fixed share, whatever their names; so does the value of the case.
+  EXPECT_EQ(plan("set Start from = packed\nsubsection Parameters\n"
+                 "  set ribs = a: Geogrid/Pitch along=0.065 & Geogrid/Youngs modulus=1e9, "
+                 "b: Geogrid/Pitch along=0.065, c:, d: Geogrid/Pitch along=0.06\nend\n")
+                .n_states,
+            2);
   // Friction may change after the filling; if it is to act in it, the study says so.
   const std::string friction =
       "subsection Parameters\n  set Contact/Stone friction = 0.5, 0.6\nend\n";
