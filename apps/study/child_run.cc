@@ -38,7 +38,7 @@ Words environment_of_lone_process()
     const std::string text = *variable;
     bool of_job = false;
     for (const char* start :
-         {"PMIX_", "PMI_", "OMPI_COMM_", "OMPI_MCA_orte_", "OMPI_MCA_ess_", "OMPI_MCA_pmix",
+         {"PMIX_", "PMI_", "OMPI_COMM_", "OMPI_MCA_orte_", "OMPI_MCA_ess", "OMPI_MCA_pmix",
           "OMPI_UNIVERSE_", "OMPI_APP_", "OMPI_NUM_APP", "OMPI_FIRST_RANKS", "OMPI_FILE_LOCATION",
           "OMPI_COMMAND", "OMPI_ARGV"})
       of_job = of_job || boost::starts_with(text, start);
@@ -138,9 +138,15 @@ std::optional<int> ChildRun::ending()
   int status = 0;
   if (!runs() || waitpid(child_, &status, WNOHANG) != child_) return {};
   child_ = 0;
-  if (WIFEXITED(status)) return WEXITSTATUS(status);
-  std::ofstream(messages_, std::ios::app)
-      << "interlock: it was ended by signal " << WTERMSIG(status) << ".\n";
+  std::ofstream messages(messages_, std::ios::app);
+  if (WIFEXITED(status)) {
+    const int code = WEXITSTATUS(status);
+    const bool spoke =
+        code == 0 || code == 2 || code == 3 || code == 130; // those of `interlock run`
+    if (!spoke) messages << "interlock: it ended with code " << code << ".\n";
+    return code;
+  }
+  messages << "interlock: it was ended by signal " << WTERMSIG(status) << ".\n";
   return -WTERMSIG(status);
 }
 } // namespace interlock::apps

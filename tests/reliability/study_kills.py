@@ -1,13 +1,14 @@
 #!/usr/bin/python3 -I
 """Kills a study (signal 9, or 15 every third time) at random moments and starts it again, and compares runs.csv, means.csv,
-differences.csv, variance.csv and curves.h5 with those of a study that nobody disturbed, on one job, on two, and on three
-ranks of mpirun. One line a comparison; exit code 1 when a byte differs.
+differences.csv, variance.csv and curves.h5 with those of a study that nobody disturbed, on one job, on two, on three
+ranks of mpirun, and with --ranks with two ranks a run. One line a comparison; exit code 1 when a byte differs.
 
-    study_kills.py [--kills N] [--jobs N] [--seed SEED] [--study FILE] [--program PROGRAM]
+    study_kills.py [--kills N] [--ranks] [--jobs N] [--seed SEED] [--study FILE] [--program PROGRAM]
 
 default: 10 kills, tests/reliability/study.prm, some seconds each.
 """
 import argparse
+import os
 import pathlib
 import random
 import signal
@@ -20,8 +21,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 FILES = ["runs.csv", "means.csv", "differences.csv", "variance.csv", "curves.h5"]
 
 
-def command(arguments, folder, jobs):
-    return [arguments.program, "study", arguments.study, "-o", folder, "--jobs", str(jobs)]
+def command(arguments, folder, jobs, study=None):
+    return [arguments.program, "study", study or arguments.study, "-o", folder, "--jobs", str(jobs)]
 
 
 def undisturbed(words):
@@ -65,9 +66,10 @@ def compare(name, folder, reference, code, expected):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--kills", type=int, default=10)
+    parser.add_argument("--ranks", action="store_true", help="also with two ranks a run")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--study", default=str(HERE / "study.prm"))
+    parser.add_argument("--study", type=os.path.abspath, default=str(HERE / "study.prm"))
     parser.add_argument("--program", default=str(HERE.parent.parent / "build/release/bin/interlock"))
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
@@ -77,6 +79,10 @@ def main():
         good = compare("two jobs", folder / "two", folder / "one", code, expected)
         code, _ = undisturbed(["mpirun", "-n", "3", arguments.program, "study", arguments.study, "-o", folder / "farm"])
         good = compare("three ranks", folder / "farm", folder / "one", code, expected) and good
+        if arguments.ranks:
+            (folder / "ranks.prm").write_text(f"include {arguments.study}\nset Ranks per run = 2\n")
+            code, _ = undisturbed(command(arguments, folder / "ranks", 1, folder / "ranks.prm"))
+            good = compare("two ranks a run", folder / "ranks", folder / "one", code, expected) and good
         code, kills = killed(arguments, folder / "killed", duration, random.Random(arguments.seed))
         good = compare(f"killed {kills} times", folder / "killed", folder / "one", code, expected) and good
     return 0 if good else 1
