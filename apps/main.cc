@@ -10,6 +10,7 @@
 #include "apps/report_command.h"
 #include "apps/run_command.h"
 #include "apps/stones_command.h"
+#include "apps/study/study_command.h"
 #include "apps/template_command.h"
 #include "dem/input_error.h"
 
@@ -45,14 +46,17 @@ int fail(const int code, const std::function<void()>& speak)
   return code;
 }
 
-// Only a run has anything to share.
+// Only a run and a study have anything to share.
 void refuse_several_ranks(const std::string& command)
 {
   const bool asks_only = !command.empty() && command.front() == '-'; // --version, --help
-  if (!apps::mpi_runs() || apps::all_ranks().size() == 1 || command == "run" || asks_only) return;
-  throw interlock::InputError("mpirun started " + std::to_string(apps::all_ranks().size()) +
-                              " ranks, which can share \"interlock run\" only; start this command "
-                              "without mpirun.");
+  if (!apps::mpi_runs() || apps::all_ranks().size() == 1 || command == "run" ||
+      command == "study" || asks_only)
+    return;
+  throw interlock::InputError(
+      "mpirun started " + std::to_string(apps::all_ranks().size()) +
+      " ranks, which can share \"interlock run\" and \"interlock study\" only; start this command "
+      "without mpirun.");
 }
 
 // `interlock help` and `interlock help COMMAND`, as people type it. To be added last: the overview
@@ -87,6 +91,7 @@ void add_commands(CLI::App& program)
                  "interlock COMMAND --help explains a command.");
   apps::add_run_command(program);
   apps::add_check_command(program);
+  apps::add_study_command(program);
   apps::add_clump_command(program);
   apps::add_stones_command(program);
   apps::add_template_command(program);

@@ -1,7 +1,6 @@
 #include "apps/parameter_file.h"
 
-#include "apps/nearest_name.h"
-#include "apps/parameter_scanner.h"
+#include "apps/unknown_entry.h"
 #include "apps/value_error.h"
 #include "coupling/parameters/usual_ranges.h"
 #include "dem/input_error.h"
@@ -28,42 +27,6 @@ const std::vector<std::string> planned_experiments = {"settle"};
 constexpr const char* experiment_entry = "Experiment";
 constexpr const char* unusual_entry = "Unusual values";
 
-const ParameterEntry* find_entry(const ParameterTable& table, const std::string& key)
-{
-  const auto& entries = table.entries();
-  const auto found = std::find_if(entries.begin(), entries.end(),
-                                  [&](const ParameterEntry& entry) { return entry.key() == key; });
-  return found == entries.end() ? nullptr : &*found;
-}
-
-// The entry that is probably meant: one of the same name in another section, a similar name in this
-// section, or, where there is no such section, a similar section and name. Empty when none is near.
-std::string nearest_entry(const ParameterTable& table, const Assignment& assignment)
-{
-  std::vector<std::string> keys, siblings;
-  for (const ParameterEntry& entry : table.entries()) {
-    if (entry.name == assignment.name) return entry.key();
-    keys.push_back(entry.key());
-    if (entry.section == assignment.section) siblings.push_back(entry.name);
-  }
-  if (siblings.empty()) return nearest_name(assignment.key(), keys);
-  Assignment nearest = assignment;
-  nearest.name = nearest_name(assignment.name, siblings);
-  return nearest.name.empty() ? "" : nearest.key();
-}
-
-std::string explain_unknown(const ParameterTable& table, const Assignment& assignment)
-{
-  const std::string start = "there is no entry \"" + assignment.key() + "\"";
-  const std::string nearest = nearest_entry(table, assignment);
-  if (!nearest.empty()) return start + "; the nearest known one is \"" + nearest + "\".";
-  std::vector<std::string> siblings;
-  for (const ParameterEntry& entry : table.entries())
-    if (entry.section == assignment.section) siblings.push_back('"' + entry.name + '"');
-  if (siblings.empty()) return start + ", nor a section of this name.";
-  return start + "; this section has " + boost::algorithm::join(siblings, ", ") + ".";
-}
-
 // Later assignments win, those of the command line over those of the file.
 class Input
 {
@@ -80,6 +43,12 @@ public:
         errors_.push_back(error.what());
       }
     }
+  }
+
+  Input(const fs::path& file, const std::vector<Assignment>& overrides)
+      : Input(file, std::vector<std::string>())
+  {
+    assignments_.insert(assignments_.end(), overrides.begin(), overrides.end());
   }
 
   // The last one of this entry; null when there is none.
@@ -226,11 +195,9 @@ const Experiment& choose_experiment(Input& input)
   input.throw_errors();
   return *experiment; // never reached
 }
-} // namespace
 
-RunInput read_parameter_file(const fs::path& file, const std::vector<std::string>& overrides)
+RunInput checked(Input input)
 {
-  Input input(file, overrides);
   RunInput result;
   result.experiment = &choose_experiment(input);
   result.parameters = result.experiment->defaults;
@@ -257,5 +224,16 @@ RunInput read_parameter_file(const fs::path& file, const std::vector<std::string
   coupling::write_parameters(used, table);
   result.used = used.str();
   return result;
+}
+} // namespace
+
+RunInput read_parameter_file(const fs::path& file, const std::vector<std::string>& overrides)
+{
+  return checked(Input(file, overrides));
+}
+
+RunInput read_varied_file(const fs::path& file, const std::vector<Assignment>& overrides)
+{
+  return checked(Input(file, overrides));
 }
 } // namespace interlock::apps

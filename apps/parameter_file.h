@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/experiments.h"
+#include "apps/parameter_scanner.h"
 
 #include <filesystem>
 #include <string>
@@ -23,4 +24,7 @@ struct RunInput {
 // run.
 RunInput read_parameter_file(const std::filesystem::path& file,
                              const std::vector<std::string>& overrides = {});
+// The same with overrides that stand in another file, whose lines the sentences name.
+RunInput read_varied_file(const std::filesystem::path& file,
+                          const std::vector<Assignment>& overrides);
 } // namespace interlock::apps

@@ -15,10 +15,12 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// By the experiment in used.prm, which a run writes first of all.
+// A study has a table of its runs; else by the experiment in used.prm, which a run writes first of
+// all.
 std::string script_for(const fs::path& folder)
 {
   const std::string pull_out = "figures.py";
+  if (fs::is_regular_file(folder / "runs.csv")) return "study_figures.py";
   const fs::path used = folder / "used.prm";
   if (!fs::is_regular_file(used)) return pull_out;
   for (const Assignment& assignment : scan_parameter_file(used).assignments) {
@@ -51,7 +53,9 @@ void add_report_command(CLI::App& program)
   CLI::App* command = program.add_subcommand(
       "report", "Draw the figures of a finished or running simulation into FOLDER/figures.");
   auto folder = std::make_shared<std::string>();
-  command->add_option("folder", *folder, "Output folder of \"interlock run\".")->required();
+  command
+      ->add_option("folder", *folder, "Output folder of \"interlock run\" or \"interlock study\".")
+      ->required();
   command->callback([folder] {
     if (!fs::is_directory(*folder))
       throw InputError("The folder \"" + *folder + "\" does not exist.");

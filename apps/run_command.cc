@@ -11,16 +11,13 @@
 #include "apps/report_command.h"
 #include "apps/result_text.h"
 #include "apps/run_folder.h"
+#include "apps/shell_word.h"
 #include "coupling/files/atomic_file.h"
 #include "coupling/run/checkpoints.h"
 #include "coupling/run/run_failure.h"
 #include "coupling/output/summary.h"
 #include "dem/input_error.h"
 
-#include <boost/algorithm/string/replace.hpp>
-
-#include <algorithm>
-#include <cctype>
 #include <ctime>
 #include <fstream>
 #include <iomanip>
@@ -127,22 +124,12 @@ coupling::Summary simulate(const RunInput& input, const coupling::RunRequest& re
   return summary;
 }
 
-// As a shell takes it for one word.
-std::string quoted(const std::string& word)
-{
-  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string("_./=+-:,@%").find(c) != std::string::npos;
-  });
-  if (plain && !word.empty()) return word;
-  return "'" + boost::algorithm::replace_all_copy(word, "'", "'\\''") + "'";
-}
-
 // What to type to go on with the same run.
 std::string resume_line(const RunArguments& arguments)
 {
-  std::string line = "interlock run " + quoted(arguments.file);
-  for (const std::string& entry : arguments.overrides) line += " --set " + quoted(entry);
-  if (arguments.output) line += " --output " + quoted(*arguments.output);
+  std::string line = "interlock run " + shell_word(arguments.file);
+  for (const std::string& entry : arguments.overrides) line += " --set " + shell_word(entry);
+  if (arguments.output) line += " --output " + shell_word(*arguments.output);
   return line + " --resume";
 }
 

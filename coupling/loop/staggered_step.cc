@@ -204,6 +204,17 @@ void StaggeredStep::unite_sums()
     sum->unite([this](double mine) { return sum_of_parts(mine); });
 }
 
+std::vector<double> StaggeredStep::loads_on_lines() const
+{
+  std::vector<std::vector<double>> forces(geogrid_->lattice().n_lines());
+  for (const dem::RibContact& c : rib_contacts_.contacts())
+    forces[c.line].push_back(-c.force.x());
+  std::vector<double> loads;
+  for (const std::vector<double>& of_line : forces)
+    loads.push_back(dem::order_free_sum(of_line, over_ranks()));
+  return loads;
+}
+
 dem::OverRanks StaggeredStep::over_ranks() const
 {
   if (!is_dealt()) return {};

@@ -64,6 +64,10 @@ public:
   // Energies now; call between the engine's compute_forces and move. Collective among all ranks.
   EnergyLedger ledger(double dt) const;
 
+  // Force along x that stones exert on each line of ribs, at the last evaluation of the contacts
+  // [N]. Collective among all ranks.
+  std::vector<double> loads_on_lines() const;
+
   // Removes clumps from the engine and from the contacts with ribs.
   void remove_clumps(const std::vector<bool>& remove);
 

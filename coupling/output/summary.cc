@@ -22,6 +22,12 @@ nlohmann::ordered_json object(const nlohmann::ordered_json& value)
 {
   return value.is_null() ? nlohmann::ordered_json::object() : value;
 }
+
+// Why nobody should use the results; empty when they may.
+std::string not_usable(const Summary& summary)
+{
+  return summary.ledger_closes ? summary.not_usable : "A tenth of the work or more was made or lost.";
+}
 } // namespace
 
 std::string hexadecimal(const std::uint64_t hash)
@@ -64,6 +70,7 @@ nlohmann::ordered_json to_json(const Summary& summary)
           {"energy", object(summary.energy)},
           {"results", object(summary.results)},
           {"warnings", summary.warnings},
+          {"not_usable", not_usable(summary)},
           {"state_hash", hexadecimal(summary.state_hash)}};
 }
 

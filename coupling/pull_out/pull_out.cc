@@ -147,7 +147,11 @@ std::vector<std::string> PullOut::history_columns() const
                                       "stone_contacts [-]",
                                       "rib_contacts [-]",
                                       "largest_overlap [m]",
-                                      "substeps [-]"};
+                                      "substeps [-]",
+                                      "longitudinal_ribs_load [N]"};
+  // Numbered from the clamped one at the front.
+  for (int rib = 0; rib <= parameters_.geogrid.apertures_along; ++rib)
+    columns.push_back(fmt::format("transverse_rib_{}_load [N]", rib));
   append_ledger_columns(columns);
   return columns;
 }

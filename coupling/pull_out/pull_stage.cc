@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace interlock::coupling
 {
@@ -83,6 +84,16 @@ double largest_axial_force(const fem::ExplicitDynamics& dynamics)
   return largest;
 }
 
+// What resists the pull: of all longitudinal ribs together, of each transverse one. The lattice has
+// the longitudinal ones first (fem/layouts/biaxial_layout.h).
+void append_loads_on_ribs(std::vector<History::Cell>& row, const PullOut& experiment)
+{
+  const std::vector<double> loads = experiment.world().ribs.loads_on_lines();
+  const auto transverse = loads.begin() + experiment.parameters().geogrid.apertures_across + 1;
+  row.emplace_back(std::accumulate(loads.begin(), transverse, 0.));
+  row.insert(row.end(), transverse, loads.end());
+}
+
 void record(PullStage& stage, PullOut& experiment, RunRecords& records)
 {
   World& world = experiment.world();
@@ -112,6 +123,7 @@ void record(PullStage& stage, PullOut& experiment, RunRecords& records)
                                     static_cast<double>(world.touching_ribs()),
                                     world.largest(world.largest_overlap()),
                                     static_cast<double>(world.ribs.substeps())};
+  append_loads_on_ribs(row, experiment);
   append_ledger(row, stage.ledger);
   records.add(row);
   ++stage.records;

@@ -64,6 +64,11 @@ bool is_before_pull(const std::vector<PullOut::Stage>& plan, std::size_t next, b
 }
 } // namespace
 
+bool is_fixed_by_state(const std::string& key, bool geogrid_is_placed)
+{
+  return is_among(key, fixed_always) || (geogrid_is_placed && is_among(key, fixed_by_geogrid));
+}
+
 void PullOut::start_from(const std::filesystem::path& file, const std::vector<CaseEntry>& entries)
 {
   const auto begin = std::chrono::steady_clock::now();
@@ -88,8 +93,7 @@ void PullOut::start_from(const std::filesystem::path& file, const std::vector<Ca
   StartState start;
   start.geogrid_is_placed = is_before_pull(kept_plan, next, in_stage, what);
   require_same_case(what, kept, entries, [&](const std::string& key) {
-    return !is_among(key, fixed_always) &&
-           !(start.geogrid_is_placed && is_among(key, fixed_by_geogrid));
+    return !is_fixed_by_state(key, start.geogrid_is_placed);
   });
   const std::vector<std::string> changed = changed_entries(kept, entries);
   start.adapts = any_outside(changed, start.geogrid_is_placed ? without_effect_before_pull

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace interlock::coupling
 {
 // What a run has to do with the state that it started from.
@@ -17,4 +19,8 @@ struct StartState {
   bool reloads = false;           // the load on top is another one
   nlohmann::ordered_json results; // of the packing, from the run that made it
 };
+
+// Whether a state has fixed this entry ("Section/Name"): state_before_pull.h5 where the geogrid is
+// placed, else state_before_geogrid.h5.
+bool is_fixed_by_state(const std::string& key, bool geogrid_is_placed);
 } // namespace interlock::coupling
