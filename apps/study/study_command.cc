@@ -124,7 +124,7 @@ void check_arguments(const StudyArguments& a)
 }
 
 // What a study needs beside its plan; the first rank has it.
-struct Session {
+struct Preparation {
   std::unique_ptr<RunFolder> owner;
   Outlook outlook;
   std::unique_ptr<StudyDisplay> display;
@@ -140,25 +140,24 @@ struct Session {
 
 // Refuses what cannot be, says what will be, and takes the folder. Nothing is written before.
 void prepare(const Plan& plan, const std::vector<RunInput>& inputs, const StudyArguments& arguments,
-             int slots, Session& session)
+             int slots, Preparation& made)
 {
   const bool runs_all = arguments.task < 0 && !arguments.collect && !arguments.check;
   check_output_folder(plan.folder);
-  if (runs_all) session.owner = std::make_unique<RunFolder>(plan.folder, FolderUse::resume);
+  if (runs_all) made.owner = std::make_unique<RunFolder>(plan.folder, FolderUse::resume);
   refuse_foreign_runs(plan, inputs, arguments.force && !arguments.check);
   if (arguments.task >= 0 || arguments.collect) return;
-  session.outlook = look_ahead_on_terminal(plan, inputs);
-  std::cout << announcement(plan, session.outlook, slots) << std::endl;
+  made.outlook = look_ahead_on_terminal(plan, inputs);
+  std::cout << announcement(plan, made.outlook, slots) << std::endl;
   if (arguments.check) return;
-  session.owner->take();
+  made.owner->take();
   for (std::size_t k = 0; k < plan.tasks.size(); ++k)
     TaskFolder(plan, plan.tasks[k]).write_case(inputs[k].used);
-  session.display =
-      std::make_unique<StudyDisplay>(plan, session.outlook, slots, plan.folder / "run.log");
+  made.display = std::make_unique<StudyDisplay>(plan, made.outlook, slots, plan.folder / "run.log");
 }
 
 // On all ranks; what ends the runs, ends all of them alike.
-void run_and_conclude(const Plan& plan, int slots, Session& session)
+void run_and_conclude(const Plan& plan, int slots, Preparation& made)
 {
   std::exception_ptr failure;
   if (all_ranks().rank() > 0) {
@@ -166,7 +165,7 @@ void run_and_conclude(const Plan& plan, int slots, Session& session)
   } else {
     try {
       run_all(plan, all_ranks().size() > 1 ? slots_of_ranks(plan) : local_slots(plan, slots),
-              *session.display);
+              *made.display);
     } catch (...) {
       failure = std::current_exception();
     }
@@ -174,7 +173,7 @@ void run_and_conclude(const Plan& plan, int slots, Session& session)
   }
   on_first_rank([&] {
     if (failure) std::rethrow_exception(failure);
-    conclude(plan, [&](const std::string& sentence) { session.say(sentence); });
+    conclude(plan, [&](const std::string& sentence) { made.say(sentence); });
   });
 }
 
@@ -188,19 +187,19 @@ void study(const StudyArguments& arguments)
   catch_interruption();
   check_arguments(arguments);
   const int slots = slots_of(plan, arguments);
-  Session session;
-  on_first_rank([&] { prepare(plan, inputs, arguments, slots, session); });
+  Preparation made;
+  on_first_rank([&] { prepare(plan, inputs, arguments, slots, made); });
   if (arguments.check) return;
   if (arguments.task >= 0) {
     run_one(plan, inputs, arguments.task);
   } else if (arguments.collect) {
-    conclude(plan, [&](const std::string& sentence) { session.say(sentence); });
+    conclude(plan, [&](const std::string& sentence) { made.say(sentence); });
   } else if (arguments.slurm) {
     const int at_once = arguments.jobs_given ? arguments.jobs : 0;
-    session.say("To submit the study: bash " +
-                shell_word(write_slurm_scripts(plan, session.outlook, at_once).string()));
+    made.say("To submit the study: bash " +
+             shell_word(write_slurm_scripts(plan, made.outlook, at_once).string()));
   } else {
-    run_and_conclude(plan, slots, session);
+    run_and_conclude(plan, slots, made);
   }
 }
 } // namespace

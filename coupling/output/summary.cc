@@ -26,7 +26,8 @@ nlohmann::ordered_json object(const nlohmann::ordered_json& value)
 // Why nobody should use the results; empty when they may.
 std::string not_usable(const Summary& summary)
 {
-  return summary.ledger_closes ? summary.not_usable : "A tenth of the work or more was made or lost.";
+  return summary.ledger_closes ? summary.not_usable
+                               : "A tenth of the work or more was made or lost.";
 }
 } // namespace
 
