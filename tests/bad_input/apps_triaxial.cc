@@ -69,7 +69,7 @@ TEST_F(BadTriaxial, ContradictionsAndUnknownNames)
   expect("Compression/Strain rat=1", "\"Compression/Strain rat\"",
          {"the nearest known one is \"Compression/Strain rate\""});
   expect("Load/Normal stress=1e4", "there is no entry \"Load/Normal stress\"",
-         {"this section has \"Cell pressure\"."});
+         {"this section has \"Cell pressure\", \"Compaction stress\"."});
 }
 
 // What only the stones can tell.
