@@ -36,8 +36,8 @@ Usable usable_part(const ShearStage& shear, const ShearBox& box)
       return {k, "a contact overlaps by more than a tenth of the mean radius of a sphere (contacts "
                  "too soft for this load?)"};
     if (n[k] - p[k] - shear.weight_above > wedging_share * n[k])
-      return {k, "a stone is wedged under the rim of the upper half, which bears more than half of "
-                 "the normal force"};
+      return {k, "the sides of the upper half bear more than half of the normal force (a stone is "
+                 "wedged under their rim, or they rub)"};
   }
   return {u.size(), ""};
 }

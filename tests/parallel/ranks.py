@@ -140,6 +140,7 @@ def on_each_number(runner, cases, numbers):
         code = runner.run("one", case, entries, 1)
         if code != 0:
             yield f"{name}: 1 rank: FAILED, exit code {code}", False
+            runner.forget("one")
             continue
         yield f"{name}: 1 rank, {time.time() - begin:.1f} s, state_hash {hash_of(runner.folder / 'one')}", True
         in_parts = [(n, True) for n in numbers] if case == SMALL and not entries else []
