@@ -66,6 +66,8 @@ def curves_figure(study, path):
         axes.plot(place, run, color=colour, linewidth=0.5, alpha=0.6)
     for p, name in enumerate(points[:MOST_POINTS] if len(points) <= MOST_POINTS else []):
         colour, style = figures.COLOURS[p], figures.STYLES[p]
+        # Where a run has ended or is not to be used, a mean of the others would jump.
+        mean[p][counts[p] < counts[p].max()] = np.nan
         axes.plot(place, mean[p], color=colour, linestyle=style, linewidth=2,
                   label=f"{name} ({int(counts[p].max())} fillings)")
         if np.any(np.isfinite(deviation[p])):
