@@ -34,7 +34,6 @@ public:
   bool update(const Clumps& clumps, const std::vector<Wall>& walls, double time_step,
               double gravity);
 
-  // Forces a full rebuild at the next update, keeping the histories.
   // Levels of the lists: for ranks, which wait for each other at every step, and so should build
   // the same level in the same step. It changes no digit when they are built.
   struct Levels {
@@ -47,6 +46,7 @@ public:
   {
     if (!built_now_) renewed_ = levels;
   }
+  // Forces a full rebuild at the next update, keeping the histories.
   void invalidate() { valid_ = false; }
   // After clumps were removed: drops their contacts and renumbers the others.
   void renumber_clumps(const Clumps& clumps, const std::vector<int>& new_index);

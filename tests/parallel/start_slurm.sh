@@ -5,6 +5,8 @@
 for tool in slurmctld slurmd srun munged; do
   command -v "$tool" >/dev/null || { echo "$0 needs $tool: apt-get install slurmctld slurmd slurm-client munge" >&2; exit 2; }
 done
+# Slurm's daemons run as root here, so mpirun does, too.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 slurm_folder=$(mktemp -d)
 daemons=()
 trap 'kill "${daemons[@]}" 2>/dev/null || true; wait 2>/dev/null || true; rm -rf "$slurm_folder" "${folder:-}"' EXIT
