@@ -48,9 +48,18 @@ void StaggeredStep::move(double dt, const dem::Vector3& clamp_velocity)
     engine_.drift_all(dt, is_dealt() ? &engine_.clumps().ghost : nullptr);
   if (is_dealt()) {
     const Stopwatch watch(copy_time_);
-    domain_->refresh(engine_);
+    domain_->start_refresh(engine_);
+    ghosts_come_ = true;
   }
   engine_.move_walls(dt);
+}
+
+void StaggeredStep::receive_ghosts()
+{
+  if (!ghosts_come_) return;
+  const Stopwatch watch(copy_time_);
+  domain_->finish_refresh(engine_);
+  ghosts_come_ = false;
 }
 
 void StaggeredStep::move_with_geogrid(double dt, const dem::Vector3& clamp_velocity)

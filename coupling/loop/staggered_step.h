@@ -60,7 +60,10 @@ public:
   // fills it for the beginning of this step.
   void advance(double dt, const dem::Vector3& clamp_velocity, EnergyLedger* ledger = nullptr);
   // The part of a step after the engine has computed its forces.
+  // Several ranks: ghosts are on their way afterwards, and where they were before until
+  // receive_ghosts(); what nobody needs them for goes on meanwhile.
   void move(double dt, const dem::Vector3& clamp_velocity);
+  void receive_ghosts();
   // Energies now; call between the engine's compute_forces and move. Collective among all ranks.
   EnergyLedger ledger(double dt) const;
 
@@ -135,6 +138,7 @@ private:
   // state.
   int substeps_ = 1;
   int steps_to_look_ = 0; // until the bends of the ribs are looked at
+  bool ghosts_come_ = false;
   double geogrid_time_ = 0, lattice_time_ = 0, told_time_ = 0, copy_time_ = 0; // [s]
   dem::Vector3 clamp_force_ = dem::Vector3::Zero();
 };

@@ -71,6 +71,7 @@ public:
     bool keep = false; // its state
   };
   // What any rank has asked for; with several ranks that of the call before, so that nobody waits.
+  // To be called after every move().
   Wishes agree(const Wishes& mine);
   // Over all ranks.
   bool any(bool mine) const { return largest(mine ? 1 : 0) > 0; }
@@ -91,7 +92,8 @@ public:
   bool keep_below_stable_step();
 
   void compute_forces();
-  // Kicks, drifts, sub-steps of the ribs, walls, clock.
+  // Kicks, drifts, sub-steps of the ribs, walls, clock. With several ranks ghosts do not move until
+  // agree(): what looks at the step in between, at forces, walls and own stones, hides their way.
   void move();
 
   // Energies now; call between compute_forces and move. Completes the geogrid: its part is up to

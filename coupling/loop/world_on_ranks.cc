@@ -179,6 +179,7 @@ World::Wishes World::agree(const Wishes& mine)
   int answer = agreement_->exchange((mine.stop ? stop_bit : 0) | (mine.keep ? keep_bit : 0) |
                                     (deal ? deal_bit : 0) | (lists.inner ? inner_bit : 0) |
                                     (lists.middle ? middle_bit : 0));
+  ribs.receive_ghosts();
   // What was asked for before it was done is asked for no more.
   answer &= ~fulfilled_;
   fulfilled_ = answer & keep_bit;

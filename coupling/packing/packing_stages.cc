@@ -40,11 +40,14 @@ int touching_walls(const dem::Engine& engine)
 void start(StepTimer& timer)
 {
   timer.start = StepTimer::Clock::now();
+  timer.runs = true;
 }
 
 void stop(StepTimer& timer)
 {
+  if (!timer.runs) return;
   timer.seconds += std::chrono::duration<double>(StepTimer::Clock::now() - timer.start).count();
+  timer.runs = false;
 }
 
 // The floor is the first wall, the sides follow.
@@ -93,6 +96,7 @@ void check_for_missed_contacts(const World& world)
 StageStatus before_step(WarmUpStage& stage, Packing& packing, RunRecords&)
 {
   const int total = packing.parameters().warm_up_steps;
+  stop(stage.timer);
   if (stage.done == total)
     return finished(fmt::format("{} steps, {:.4g} ms a step, kinetic energy {:.2g} J", total,
                                 1e3 * stage.timer.seconds / total,
@@ -103,7 +107,6 @@ StageStatus before_step(WarmUpStage& stage, Packing& packing, RunRecords&)
 
 void after_step(WarmUpStage& stage, Packing&, RunRecords&)
 {
-  stop(stage.timer);
   ++stage.done;
 }
 
@@ -111,6 +114,7 @@ StageStatus before_step(TimedStage& stage, Packing& packing, RunRecords&)
 {
   const PackingParameters& p = packing.parameters();
   const int total = p.timed_steps;
+  stop(stage.timer);
   if (stage.done == total)
     return finished(
         fmt::format("{} of {} steps timed, between records and checks", stage.steps, total));
@@ -143,8 +147,10 @@ void look(TimedStage& stage, Packing& packing, RunRecords& records)
 void after_step(TimedStage& stage, Packing& packing, RunRecords&)
 {
   ++stage.done;
-  if (stage.look_due) return;
-  stop(stage.timer);
+  if (stage.look_due) {
+    stage.timer.runs = false;
+    return;
+  }
   ++stage.steps;
   const dem::Engine& engine = packing.world().engine;
   stage.floor.add(floor_force(engine)); // on this rank's part of the stones

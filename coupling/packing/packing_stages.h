@@ -12,12 +12,13 @@ namespace interlock::coupling
 class Packing;
 class RunRecords;
 
-// Wall-clock time of the steps alone. The clock runs from the end of before_step to the begin of
-// after_step, unless the step has a look in it.
+// Wall-clock time of the steps alone. The clock runs from the end of before_step to the begin of the
+// next one, so that all is in it that ranks wait for; unless the step has a look in it.
 struct StepTimer {
   using Clock = std::chrono::steady_clock;
   double seconds = 0; // so far
   Clock::time_point start{};
+  bool runs = false;
 };
 
 struct WarmUpStage {

@@ -204,10 +204,15 @@ void Domain::connect(const Clumps& clumps)
   halo_.connect(ghosts_there, ghosts_here, numbers);
 }
 
-void Domain::refresh(Engine& engine)
+void Domain::start_refresh(Engine& engine)
+{
+  halo_.start(numbers_of_ghosts(engine.clumps()));
+}
+
+void Domain::finish_refresh(Engine& engine)
 {
   Clumps& clumps = engine.clumps();
-  halo_.refresh(numbers_of_ghosts(clumps));
+  halo_.finish(numbers_of_ghosts(clumps));
   // Lists go by these.
   for (const int i : halo_.copies()) {
     clumps.velocity[i] = clumps.step_velocity[i];

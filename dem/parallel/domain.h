@@ -8,8 +8,9 @@
 //     engine.compute_forces(dt);
 //     engine.kick_all(dt);
 //     engine.drift_all(dt, &engine.clumps().ghost);
-//     domain.refresh(engine);
+//     domain.start_refresh(engine);
 //     engine.move_walls(dt);
+//     domain.finish_refresh(engine);
 // Why this changes no digit: docs/theory/parallel.md.
 #pragma once
 
@@ -62,8 +63,10 @@ public:
   // The rank that a place belongs to since the last deal [m].
   int owner_of(const Vector3& place) const { return owner_[grid_.cell_of(place)]; }
 
-  // Poses and the step's motion of all ghosts, from the ranks that move them.
-  void refresh(Engine& engine);
+  // Poses and the step's motion of all ghosts, from the ranks that move them. In between, while
+  // messages are under way, ghosts are where they were before the step.
+  void start_refresh(Engine& engine);
+  void finish_refresh(Engine& engine);
 
 private:
   // Where a clump goes: who moves it, and who needs a copy, ascending.

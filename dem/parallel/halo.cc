@@ -7,8 +7,10 @@ Halo::~Halo()
   disconnect();
 }
 
+// Messages that a failure has left under way must not come into memory that is gone.
 void Halo::disconnect()
 {
+  if (under_way_) await();
   for (MPI_Request& request : requests_) MPI_Request_free(&request);
   requests_.clear();
 }
@@ -38,16 +40,26 @@ void Halo::connect(const EntriesOfRanks& there, const EntriesOfRanks& here, int 
   for (std::size_t k = 0; k < to_.ranks.size(); ++k) request_of(to_, k, MPI_Send_init);
 }
 
-void Halo::refresh(const std::vector<double*>& arrays)
+void Halo::start(const std::vector<double*>& arrays)
 {
   double* out = to_.numbers.data();
   for (const int i : to_.entries)
     for (const double* array : arrays) *out++ = array[i];
   // Open MPI takes no empty list.
-  if (const int n = static_cast<int>(requests_.size()); n > 0) {
-    MPI_Startall(n, requests_.data());
-    MPI_Waitall(n, requests_.data(), MPI_STATUSES_IGNORE);
-  }
+  if (!requests_.empty()) MPI_Startall(static_cast<int>(requests_.size()), requests_.data());
+  under_way_ = true;
+}
+
+void Halo::await()
+{
+  if (!requests_.empty())
+    MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+  under_way_ = false;
+}
+
+void Halo::finish(const std::vector<double*>& arrays)
+{
+  await();
   const double* in = from_.numbers.data();
   for (const int i : from_.entries)
     for (double* array : arrays) array[i] = *in++;

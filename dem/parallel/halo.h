@@ -27,12 +27,16 @@ public:
   // of another must be what that one says of it, in the same order. Sends nothing.
   void connect(const EntriesOfRanks& there, const EntriesOfRanks& here, int numbers);
 
-  // Copies the numbers of all of them, one from each of the arrays. Collective among neighbours.
-  void refresh(const std::vector<double*>& arrays);
+  // Copies the numbers of all of them, one from each of the arrays: sends the own ones, which are
+  // taken at once, and waits for the copies, which change only then. Collective among neighbours.
+  void start(const std::vector<double*>& arrays);
+  void finish(const std::vector<double*>& arrays);
+  void refresh(const std::vector<double*>& arrays) { start(arrays), finish(arrays); }
 
   const std::vector<int>& copies() const { return from_.entries; }
 
 private:
+  void await();
   void disconnect();
 
   MPI_Comm comm_;
@@ -45,5 +49,6 @@ private:
   };
   Neighbours to_, from_;
   std::vector<MPI_Request> requests_; // persistent, of both
+  bool under_way_ = false;
 };
 } // namespace interlock::dem

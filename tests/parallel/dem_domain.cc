@@ -30,8 +30,9 @@ struct Shared {
     engine.compute_forces(dt);
     engine.kick_all(dt);
     engine.drift_all(dt, &engine.clumps().ghost);
-    domain.refresh(engine);
+    domain.start_refresh(engine);
     engine.move_walls(dt);
+    domain.finish_refresh(engine);
   }
   int own() const
   {
