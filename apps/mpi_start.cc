@@ -51,6 +51,9 @@ void start_mpi()
 {
   if (session) return;
   if (!started_by_launcher()) prepare_lone_process();
+  // Ghosts of two ranks on one machine are some 10 kB. From 4 kB on, Open MPI would first ask the
+  // receiver, who is busy, and nothing would travel meanwhile (docs/theory/parallel.md).
+  setenv("OMPI_MCA_btl_vader_eager_limit", "32768", 0);
   // No arguments: PETSc would answer --help and --version itself. One thread.
   int n = 1;
   std::string name = "interlock";

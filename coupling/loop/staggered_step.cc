@@ -216,8 +216,7 @@ void StaggeredStep::unite_sums()
 std::vector<double> StaggeredStep::loads_on_lines() const
 {
   std::vector<std::vector<double>> forces(geogrid_->lattice().n_lines());
-  for (const dem::RibContact& c : rib_contacts_.contacts())
-    forces[c.line].push_back(-c.force.x());
+  for (const dem::RibContact& c : rib_contacts_.contacts()) forces[c.line].push_back(-c.force.x());
   std::vector<double> loads;
   for (const std::vector<double>& of_line : forces)
     loads.push_back(dem::order_free_sum(of_line, over_ranks()));

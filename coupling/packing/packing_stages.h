@@ -12,8 +12,8 @@ namespace interlock::coupling
 class Packing;
 class RunRecords;
 
-// Wall-clock time of the steps alone. The clock runs from the end of before_step to the begin of the
-// next one, so that all is in it that ranks wait for; unless the step has a look in it.
+// Wall-clock time of the steps alone. The clock runs from the end of before_step to the begin of
+// the next one, so that all is in it that ranks wait for; unless the step has a look in it.
 struct StepTimer {
   using Clock = std::chrono::steady_clock;
   double seconds = 0; // so far
@@ -34,7 +34,8 @@ struct TimedStage {
   StepTimer timer;
   // Of the steps without a look.
   std::int64_t steps = 0;
-  dem::SharedSum<dem::force_grid> floor, side_walls; // vertical forces of the stones on walls, downwards [N]
+  dem::SharedSum<dem::force_grid> floor,
+      side_walls; // vertical forces of the stones on walls, downwards [N]
   dem::StepProfile profile;
   EnergyLedger ledger; // of the last look
 };
