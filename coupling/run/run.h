@@ -109,10 +109,17 @@ private:
     exchange_run(archive);
     archive.expect_all_read();
     records_.resume();
-    records_.message(fmt::format("Going on from {} at t = {:.6g} s, step {}, in stage \"{}\".",
+    records_.message(fmt::format("Going on from {} at t = {:.6g} s, step {}, {}.",
                                  checkpoints_.file().string(), world().clock.time(),
-                                 world().clock.step,
-                                 records_.in_stage() ? records_.stage_name() : "none"));
+                                 world().clock.step, where()));
+  }
+
+  std::string where() const
+  {
+    if (stage_ == plan_.size()) return "after the last stage";
+    const std::string stage =
+        std::visit([](const auto& s) { return stage_name(s); }, plan_[stage_]);
+    return fmt::format("{} stage \"{}\"", records_.in_stage() ? "in" : "before", stage);
   }
 
   // One step of the present stage, or its end.
