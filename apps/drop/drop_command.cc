@@ -2,18 +2,16 @@
 
 #include "apps/build_info.h"
 #include "apps/case_hash.h"
+#include "apps/drop/finished_pull.h"
 #include "apps/drop/force_drop.h"
 #include "apps/drop/second_pull.h"
 #include "apps/figure_script.h"
-#include "apps/parameter_file.h"
-#include "apps/study/measures.h"
 #include "coupling/files/atomic_file.h"
 #include "dem/input_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -29,68 +27,6 @@ struct DropArguments {
   std::string folder;
   double within = DropSearch().within;
 };
-
-// A finished pull-out as it lies on the disk.
-struct FinishedPull {
-  fs::path folder;
-  coupling::PullParameters pull;
-  ordered_json summary;
-  std::vector<double> place, force; // of the records that may be used [m], [N]
-};
-
-ordered_json read_json(const fs::path& file)
-{
-  std::ifstream in(file);
-  if (!in) return {};
-  return ordered_json::parse(in, nullptr, false);
-}
-
-coupling::PullParameters pull_of(const fs::path& folder)
-{
-  const std::string name = "\"" + folder.string() + "\"";
-  if (!fs::is_directory(folder)) throw InputError("The folder " + name + " does not exist.");
-  if (fs::is_regular_file(folder / "runs.csv"))
-    throw InputError(name + " is a study; give the folder of one of its runs, " +
-                     (folder / "runs").string() + "/NAME.");
-  if (!fs::is_regular_file(folder / "used.prm"))
-    throw InputError(name + " holds no used.prm, so it is not the output folder of a run.");
-  require_one_run(folder);
-  const RunInput input = read_parameter_file(folder / "used.prm");
-  const auto* pull_out = std::get_if<coupling::PullOutParameters>(&input.parameters);
-  if (!pull_out)
-    throw InputError("The run in " + name + " has no pull: its experiment is \"" +
-                     input.experiment->name + "\", not \"pull-out\".");
-  return pull_out->pull;
-}
-
-// What lies beyond the displacement from which on the pull is not to be used goes.
-void leave_out_unusable(FinishedPull& run)
-{
-  const auto from = run.summary["results"].find("not_usable_from_mm");
-  if (from == run.summary["results"].end() || !from->is_number()) return;
-  const double end = 1e-3 * from->get<double>();
-  const std::size_t rows =
-      std::lower_bound(run.place.begin(), run.place.end(), end) - run.place.begin();
-  run.place.resize(rows);
-  run.force.resize(rows);
-  std::cout << fmt::format("Searched up to {:.2f} mm: from there on the pull is not to be used.",
-                           1e3 * end)
-            << std::endl;
-}
-
-FinishedPull read_finished_pull(const fs::path& folder)
-{
-  FinishedPull run{folder, pull_of(folder), read_json(folder / "summary.json"), {}, {}};
-  if (!run.summary.is_object() || !run.summary.contains("results"))
-    throw InputError("The run in \"" + folder.string() +
-                     "\" is not finished, it has no summary.json: its largest drop may still come; "
-                     "wait for it, or go on with \"interlock run ... --resume\".");
-  auto history = read_history(folder);
-  run.place = history["displacement"];
-  run.force = history["pull_force"];
-  leave_out_unusable(run);
-  return run;
-}
 
 void check_records(const FinishedPull& run, double within)
 {
@@ -177,6 +113,10 @@ SecondPull second_pull(const FinishedPull& run, const ForceDrop& drop)
 void draw_drop(const DropArguments& arguments)
 {
   const FinishedPull run = read_finished_pull(arguments.folder);
+  if (run.unusable_from)
+    std::cout << fmt::format("Searched up to {:.2f} mm: from there on the pull is not to be used.",
+                             1e3 * *run.unusable_from)
+              << std::endl;
   const ForceDrop drop = find_drop(run, arguments.within);
   const SecondPull pull = second_pull(run, drop);
   const ordered_json wanted = description(run, drop, arguments.within);

@@ -2,8 +2,6 @@
 // not.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <vector>
 
