@@ -191,7 +191,12 @@ def drop_figure(run, drop, networks, geogrid, times, path):
     history = figures.read_history(run)
     draw_curve(whole, history, drop, False)
     draw_curve(near, history, drop, True)
-    whole.set_title(figures.title_of(run, figures.read_summary(run)), fontsize=11)
+    summary = figures.read_summary(run)
+    part = figures.unusable_part(summary)
+    if part is not None:
+        figures.shade_unusable(whole, part, "0.3", "")
+        whole.legend(loc="best", fontsize=7, edgecolor="none")
+    whole.set_title(figures.title_of(run, summary), fontsize=11)
     draw_legend(legend, largest)
     figures.save(figure, path)
 

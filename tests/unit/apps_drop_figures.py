@@ -98,6 +98,9 @@ class DropFigures(unittest.TestCase):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         with open(os.path.join(self.run_folder, "figures", "force_drop.png"), "rb") as file:
             self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        with open(os.path.join(self.run_folder, "summary.json"), "w", encoding="utf-8") as file:
+            json.dump({"results": {"not_usable_from_mm": 7}}, file)
+        self.assertEqual(self.draw().returncode, 0)
         rows = {line.split()[0]: line for line in result.stdout.splitlines()[1:4]}
         self.assertIn("20.0 N", rows["before"])
         self.assertIn("4.0 N", rows["after"])
