@@ -11,4 +11,5 @@ const char* laboratory_template(); // cases/geogrids/bx1100.prm
 const char* packing_template();    // cases/benchmark/w1.prm
 const char* shear_box_template();  // cases/ballast/shear_box.prm
 const char* triaxial_template();   // cases/ballast/triaxial.prm
+const char* study_template();      // cases/studies/quick_flexibility.prm
 } // namespace interlock::apps

@@ -3,6 +3,7 @@
 #include "apps/build_info.h"
 #include "apps/check_command.h"
 #include "apps/clump_command.h"
+#include "apps/drop/drop_command.h"
 #include "apps/interruption.h"
 #include "apps/mpi_start.h"
 #include "apps/nearest_name.h"
@@ -96,6 +97,7 @@ void add_commands(CLI::App& program)
   apps::add_stones_command(program);
   apps::add_template_command(program);
   apps::add_report_command(program);
+  apps::add_drop_command(program);
   add_help_command(program);
 }
 

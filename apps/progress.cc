@@ -56,6 +56,22 @@ std::string progress_text(const coupling::Progress& progress, const double steps
   return text.str();
 }
 
+std::string last_progress(const std::string& log)
+{
+  // Sentences may hold a per cent, too, but say nothing about simulated time.
+  std::size_t end = log.size();
+  while (end != std::string::npos && end > 0) {
+    const std::size_t newline = log.rfind('\n', end - 1);
+    const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
+    const std::string line = log.substr(begin, end - begin);
+    const std::size_t sign = line.find(" %, ");
+    if (sign != std::string::npos && line.find(" s simulated") != std::string::npos)
+      return line.substr(0, sign + 2);
+    end = newline;
+  }
+  return {};
+}
+
 std::size_t terminal_line_width()
 {
   winsize size{};

@@ -18,6 +18,10 @@ namespace interlock::apps
 std::string progress_text(const coupling::Progress& progress, double steps_per_second,
                           double seconds_left, double seconds_left_in_all = -1);
 
+// The beginning of the last such text with a fraction that the plain lines of a log hold: "pull (5
+// of 6)  45 %"; empty where they hold none.
+std::string last_progress(const std::string& log);
+
 // "[#####.....]" with `width` places; fraction 0 to 1.
 std::string progress_bar(double fraction, int width);
 

@@ -41,7 +41,7 @@ bool is_of_a_run(const fs::path& file)
 {
   const std::string name = file.filename().string(), ending = file.extension().string();
   for (const char* known : {"used.prm", "summary.json", "history.csv", "table.csv", "stones.csv",
-                            "profile.csv", "report.html"})
+                            "profile.csv", "report.html", "drop.json"})
     if (name == known) return true;
   const bool series = ending == ".xdmf" || ending == ".pvd";
   const bool index = ending == ".h5" && is_there(fs::path(file).replace_extension(".xdmf"));
@@ -67,6 +67,11 @@ void remove_results(const fs::path& folder)
   for (const fs::path& file : files) fs::remove(file, error);
   fs::remove(folder / "frames", error); // when they are empty
   fs::remove(folder / "figures", error);
+  const fs::path second_pull = folder / "drop"; // of `interlock drop`
+  if (!fs::is_directory(second_pull, error)) return;
+  remove_results(second_pull);
+  fs::remove(second_pull / "run.log", error);
+  fs::remove(second_pull, error);
 }
 } // namespace
 

@@ -14,7 +14,7 @@ namespace interlock::apps
 namespace
 {
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds bar_interval(100);
+constexpr std::chrono::milliseconds bar_interval(500);
 constexpr int bar_width = 30;
 } // namespace
 
@@ -50,15 +50,15 @@ void StudyDisplay::message(const std::string& sentence)
   log_ << sentence << std::endl;
 }
 
-void StudyDisplay::started(int)
+void StudyDisplay::started(int task)
 {
-  ++running_;
+  if (std::count(running_.begin(), running_.end(), task) == 0) running_.push_back(task);
 }
 
 void StudyDisplay::ended(int task, bool well, const std::string& sentence)
 {
   const Task& mine = plan_.tasks[task];
-  running_ = std::max(0, running_ - 1);
+  running_.erase(std::remove(running_.begin(), running_.end(), task), running_.end());
   ++over_;
   failed_ += well ? 0 : 1;
   time_of_over_ += outlook_.tasks[task].time;
@@ -79,9 +79,23 @@ std::string StudyDisplay::text() const
   const double expected = made > 0 ? left * here / made : left / slots_;
   return fmt::format("{} {} of {} runs, {} under way{}, {} left",
                      progress_bar(time_of_all_ > 0 ? time_of_over_ / time_of_all_ : 0, bar_width),
-                     over_, plan_.tasks.size(), running_,
+                     over_, plan_.tasks.size(), running_.size(),
                      failed_ > 0 ? fmt::format(", {} failed", failed_) : "",
-                     duration_text(expected));
+                     duration_text(expected)) +
+         runs_under_way();
+}
+
+// Of the first few: a terminal has one line, and a log is a file on the disk that runs share.
+std::string StudyDisplay::runs_under_way() const
+{
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, running_.size()); ++k) {
+    const Task& task = plan_.tasks[running_[k]];
+    const std::string progress = TaskFolder(plan_, task).progress_of_log();
+    text += "; " + task.name + (progress.empty() ? "" : ": " + progress);
+  }
+  return text;
 }
 
 void StudyDisplay::show()

@@ -21,18 +21,20 @@ public:
   void message(const std::string& sentence);
   void started(int task);
   void ended(int task, bool well, const std::string& sentence);
-  void show(); // the bar, ten times a second at most
+  void show(); // the bar, twice a second at most
 
 private:
   void clear_bar();
   std::string text() const;
+  std::string runs_under_way() const;
 
   const Plan& plan_;
   const Outlook& outlook_;
   std::ofstream log_;
   bool terminal_, bar_visible_ = false;
   std::chrono::steady_clock::time_point last_bar_, start_;
-  int slots_, over_ = 0, running_ = 0, failed_ = 0;
+  int slots_, over_ = 0, failed_ = 0;
+  std::vector<int> running_; // tasks, in the order in which they were started
   double time_of_over_ = 0, time_of_all_ = 0, time_at_start_ = 0; // processor time [s]
 };
 } // namespace interlock::apps

@@ -2,6 +2,7 @@
 
 #include "apps/build_info.h"
 #include "apps/output_folder.h"
+#include "apps/progress.h"
 #include "coupling/files/atomic_file.h"
 #include "coupling/run/checkpoints.h"
 
@@ -93,6 +94,11 @@ void TaskFolder::forget() const
   std::error_code error;
   for (const char* file : {"summary.json", "checkpoint.h5", "checkpoint.previous.h5", "used.prm"})
     fs::remove(folder_ / file, error);
+}
+
+std::string TaskFolder::progress_of_log() const
+{
+  return last_progress(text_of(folder_ / "run.log").value_or(""));
 }
 
 nlohmann::ordered_json TaskFolder::summary() const

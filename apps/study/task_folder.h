@@ -38,6 +38,9 @@ public:
   // Removes the mark of a run that is over, so that it is made anew.
   void forget() const;
 
+  // How far the run has come, as its log last said: "pull (5 of 6)  45 %"; empty where it did not.
+  std::string progress_of_log() const;
+
   nlohmann::ordered_json summary() const; // null where there is none
   // The last sentence of a run that has failed or was refused, without names of this machine's
   // folders; empty when it said none.

@@ -162,6 +162,15 @@ void ParameterTable::offer(const std::string& name, bool& member, const bool sta
   bind(name, member, start, dealii::Patterns::Bool(), "\"true\" or \"false\"", text, false);
 }
 
+void ParameterTable::offer_list(const std::string& name, std::vector<double>& member,
+                                const std::string& text)
+{
+  const dealii::Patterns::List pattern(pattern_of(not_negative), 0,
+                                       dealii::Patterns::List::max_int_value);
+  bind(name, member, {}, pattern, "numbers of 0 or more, with commas between them, or nothing",
+       text, false);
+}
+
 void ParameterTable::offer_seed(const std::string& name, std::uint64_t& member,
                                 const std::string& text)
 {

@@ -68,6 +68,8 @@ public:
   void offer(const std::string& name, int& member, int start, const Range& range,
              const std::string& text);
   void offer(const std::string& name, bool& member, bool start, const std::string& text);
+  // Numbers with commas between them, none of them less than 0; none at first.
+  void offer_list(const std::string& name, std::vector<double>& member, const std::string& text);
   void offer_seed(const std::string& name, std::uint64_t& member, const std::string& text);
   void offer_choice(const std::string& name, std::string& member, const std::string& start,
                     const std::vector<std::string>& choices, const std::string& text);

@@ -104,6 +104,15 @@ void check_pull(const PullParameters& pull, const GeogridParameters& geogrid,
     problems.add("Pull/Ramp time", "The pull needs ", ramp, " m to reach full speed in ",
                  pull.ramp_time, " s, but is only ", pull.distance, " m long.");
 }
+
+void check_frames(const std::vector<double>& frames_at, const PullParameters& pull,
+                  ParameterProblems& problems)
+{
+  for (const double place : frames_at)
+    if (place > pull.distance)
+      problems.add("Output/Frames at", "A frame is asked for at ", place,
+                   " m, but the geogrid is pulled over ", pull.distance, " m only.");
+}
 } // namespace
 
 std::vector<ParameterProblem> check_pull_out(const PullOutParameters& parameters)
@@ -117,6 +126,7 @@ std::vector<ParameterProblem> check_pull_out(const PullOutParameters& parameters
   check_ribs(parameters.geogrid, problems);
   check_surcharge(parameters.surcharge, parameters.box, problems);
   check_pull(parameters.pull, parameters.geogrid, problems);
+  check_frames(parameters.frames_at, parameters.pull, problems);
   check_stone_contact(parameters.contact, problems);
   check_pair_friction("Contact/Stone on geogrid friction",
                       parameters.geogrid_contact.stone_friction, problems);

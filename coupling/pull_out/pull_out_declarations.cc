@@ -124,5 +124,8 @@ void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
   declare_loading(table, parameters);
   declare_time(table, parameters.time);
   declare_limits_and_output(table, parameters.limits, parameters.output);
+  table.offer_list("Frames at", parameters.frames_at,
+                   "Displacements of the front edge at which a frame for ParaView is written, too. "
+                   "[m]");
 }
 } // namespace interlock::coupling

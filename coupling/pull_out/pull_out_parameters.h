@@ -11,6 +11,7 @@
 #include "coupling/parameters/time_step.h"
 
 #include <string>
+#include <vector>
 
 namespace interlock::coupling
 {
@@ -48,5 +49,6 @@ struct PullOutParameters {
   TimeParameters time;
   LimitParameters limits;
   OutputParameters output;
+  std::vector<double> frames_at; // displacements of the front edge, beside output.field_frames [m]
 };
 } // namespace interlock::coupling

@@ -67,9 +67,11 @@ struct SettleStage {
 struct PullStage {
   static constexpr const char* kind = "pull";
   bool begun = false, over = false;
-  bool is_last = false, record_due = false, frame_due = false; // of the step to come
-  double begin = 0;                                            // [s]
-  double displacement = 0;                                     // of the clamp [m]
+  // Of the step to come; an extra frame is one of Output/Frames at.
+  bool is_last = false, record_due = false, frame_due = false, extra_frame_due = false;
+  double begin = 0;             // [s]
+  double next_displacement = 0; // after the step to come [m]
+  double displacement = 0;      // of the clamp [m]
   int records = 0, frames = 0;
   double impulse = 0, impulse_time = 0;     // of the pull force since the last record [N s], [s]
   double plate_impulse = 0;                 // of the surcharge plate since the begin [N s]

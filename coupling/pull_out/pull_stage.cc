@@ -94,6 +94,16 @@ void append_loads_on_ribs(std::vector<History::Cell>& row, const PullOut& experi
   row.insert(row.end(), transverse, loads.end());
 }
 
+// Whether the step to come is the last one that is not beyond one of Output/Frames at. What it goes
+// by is in the state already, so that a resumed pull may have other places.
+bool passes_a_frame(const PullStage& stage, const PullOut& experiment)
+{
+  const std::vector<double>& places = experiment.parameters().frames_at;
+  return std::any_of(places.begin(), places.end(), [&](double place) {
+    return stage.displacement <= place && place < stage.next_displacement;
+  });
+}
+
 void record(PullStage& stage, PullOut& experiment, RunRecords& records)
 {
   World& world = experiment.world();
@@ -152,7 +162,10 @@ StageStatus before_step(PullStage& stage, PullOut& experiment, RunRecords& recor
   stage.record_due = stage.is_last || progress * output.records >= stage.records;
   stage.frame_due =
       output.field_frames > 0 && (stage.is_last || progress * output.field_frames >= stage.frames);
-  if (stage.is_last || stage.frame_due) return running(progress, Look::at_everything);
+  stage.next_displacement = stage.displacement - world.clamp_velocity.x() * world.clock.dt;
+  stage.extra_frame_due = passes_a_frame(stage, experiment);
+  if (stage.is_last || stage.frame_due || stage.extra_frame_due)
+    return running(progress, Look::at_everything);
   return running(progress, stage.record_due ? Look::at_part : Look::none);
 }
 
@@ -168,10 +181,8 @@ void look(PullStage& stage, PullOut& experiment, RunRecords& records)
   stage.largest_overlap = std::max(stage.largest_overlap, world.largest_overlap());
   unite_notes(stage, experiment);
   if (stage.record_due) record(stage, experiment, records);
-  if (stage.frame_due) {
-    records.add_frame(world);
-    ++stage.frames;
-  }
+  if (stage.frame_due) ++stage.frames;
+  if (stage.frame_due || stage.extra_frame_due) records.add_frame(world);
 }
 
 void after_step(PullStage& stage, PullOut& experiment, RunRecords&)
@@ -179,7 +190,7 @@ void after_step(PullStage& stage, PullOut& experiment, RunRecords&)
   World& world = experiment.world();
   const double dt = world.clock.dt;
   stage.largest_overlap = std::max(stage.largest_overlap, world.largest_overlap());
-  stage.displacement -= world.clamp_velocity.x() * dt;
+  stage.displacement = stage.next_displacement;
   stage.impulse -= world.ribs.clamp_force().x() * dt;
   stage.impulse_time += dt;
   if (experiment.surcharge_plate >= 0)

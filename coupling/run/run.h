@@ -104,7 +104,8 @@ private:
       throw InputError(what + " belongs to an experiment \"" + experiment + "\", not to \"" +
                        Experiment::name + "\".");
     require_same_case(what, entries, request_.entries, [](const std::string& key) {
-      return is_among(key, {"Unusual values", "Output/Checkpoint interval", "Output/Report"});
+      return is_among(key, {"Unusual values", "Output/Checkpoint interval", "Output/Report",
+                            "Output/Frames at"});
     });
     exchange_run(archive);
     archive.expect_all_read();

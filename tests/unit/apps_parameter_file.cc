@@ -135,6 +135,16 @@ TEST_F(ParameterFile, LaboratoryIsKnownByItsFormerNameToo)
   EXPECT_EQ(testing::internal::GetCapturedStdout(), apps::laboratory_template());
 }
 
+TEST_F(ParameterFile, TemplateOfAStudyIsTheStudyOfTheDocuments)
+{
+  CLI::App program;
+  apps::add_template_command(program);
+  testing::internal::CaptureStdout();
+  program.parse("template study");
+  const fs::path file = fs::path(INTERLOCK_SOURCE_DIR) / "cases/studies/quick_flexibility.prm";
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), file_text(file));
+}
+
 TEST_F(ParameterFile, BenchmarkCasesAreOfTheSameBox)
 {
   const fs::path folder = fs::path(INTERLOCK_SOURCE_DIR) / "cases" / "benchmark";

@@ -20,6 +20,18 @@ TEST(Progress, TextSaysWhatIsKnown)
             "pull (5 of 6)  45 %, 1.234 s simulated");
 }
 
+TEST(Progress, IsReadOffALog)
+{
+  const std::string line = apps::progress_text({"pull", 0.456, 1.2344, 1000, 5, 6}, 52300, 83);
+  const std::string stones = "stones: 6 stones, volume -0.5 to +0.5 % of that of their stones\n";
+  EXPECT_EQ(apps::last_progress(stones + "fill (1 of 6)  50 %, 1.000 s simulated\n" + line + '\n' +
+                                "warning: the surface is off by 3 %, which is much.\n"),
+            "pull (5 of 6)  45 %");
+  EXPECT_EQ(apps::last_progress(line), "pull (5 of 6)  45 %");
+  EXPECT_EQ(apps::last_progress(stones), "");
+  EXPECT_EQ(apps::last_progress(""), "");
+}
+
 TEST(Progress, DurationsReadLikeAClock)
 {
   EXPECT_EQ(apps::duration_text(59.4), "59 s");

@@ -125,8 +125,9 @@ TEST_F(Entries, FillOneMemberEach)
       {"Geogrid/Elements per rib", &p.geogrid.elements_per_rib},
       {"Output/Records", &p.output.records},
       {"Output/Field frames", &p.output.field_frames}};
-  // Kind, 2 seeds, 3 truth values, folder, placement, mass properties, order, state to start from.
-  const std::size_t others = 11;
+  // Kind, 2 seeds, 3 truth values, folder, placement, mass properties, order, state to start from,
+  // displacements of frames.
+  const std::size_t others = 12;
   EXPECT_EQ(table.entries().size(), numbers.size() + counts.size() + others);
 
   // A different value for each, inside every range; only then are they compared.
@@ -157,6 +158,19 @@ TEST_F(Entries, FillWordsSeedsAndTruthValues)
   EXPECT_TRUE(parameters.geogrid.rigid);
   EXPECT_EQ(parameters.geogrid.placement, "not flattened");
   EXPECT_FALSE(parameters.output.report);
+}
+
+TEST_F(Entries, FillDisplacementsOfFrames)
+{
+  EXPECT_TRUE(parameters.frames_at.empty());
+  // 17 digits, as a row of history.csv has them.
+  EXPECT_TRUE(set("Output/Frames at", "0.012345678901234567, 0.0125,0"));
+  EXPECT_EQ(parameters.frames_at, (std::vector<double>{0.012345678901234567, 0.0125, 0}));
+  for (const char* value : {"-0.001", "0.001 0.002", "0.001, two", "1 mm", "nan"})
+    EXPECT_FALSE(set("Output/Frames at", value)) << value;
+  EXPECT_EQ(parameters.frames_at.size(), 3u);
+  EXPECT_TRUE(set("Output/Frames at", ""));
+  EXPECT_TRUE(parameters.frames_at.empty());
 }
 
 TEST_F(Entries, RefuseImpossibleValuesAndChangeNothing)
@@ -225,6 +239,7 @@ TEST_F(Entries, HaveDefaultsOnlyWherePhysicsDoesNotDependOnThem)
                                                  "Start from",
                                                  "Geogrid/Elements per rib",
                                                  "Output/Field frames",
+                                                 "Output/Frames at",
                                                  "Output/Records"};
   for (const ParameterEntry& entry : table.entries())
     EXPECT_EQ(entry.required, may_be_left_out.count(entry.key()) == 0) << entry.key();
@@ -259,6 +274,10 @@ TEST(CheckParameters, NamesTheEntryOfEachContradiction)
       {"Surcharge/Sphere radius", [](auto& p) { p.surcharge.sphere_radius = 0.11; }},
       {"Pull/Distance", [](auto& p) { p.pull.distance = 0.4; }},
       {"Pull/Ramp time", [](auto& p) { p.pull.ramp_time = 11; }},
+      {"Output/Frames at",
+       [](auto& p) {
+         p.frames_at = {0, 0.05, 0.0501};
+       }},
       {"Stones/Folder", [](auto& p) {
          p.stones.folder = "/no/such/folder";
          p.stones.length_unit = 0.001;
