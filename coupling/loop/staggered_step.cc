@@ -207,8 +207,7 @@ void StaggeredStep::unite_sums()
 std::vector<double> StaggeredStep::loads_on_lines() const
 {
   std::vector<std::vector<double>> forces(geogrid_->lattice().n_lines());
-  for (const dem::RibContact& c : rib_contacts_.contacts())
-    forces[c.line].push_back(-c.force.x());
+  for (const dem::RibContact& c : rib_contacts_.contacts()) forces[c.line].push_back(-c.force.x());
   std::vector<double> loads;
   for (const std::vector<double>& of_line : forces)
     loads.push_back(dem::order_free_sum(of_line, over_ranks()));
@@ -253,6 +252,7 @@ EnergyLedger StaggeredStep::ledger(double dt) const
   ledger.gravitational += lattice.gravitational;
   ledger.elastic_geogrid = lattice.elastic;
   ledger.geogrid_damping = lattice.damping_loss;
+  ledger.geogrid_plastic = lattice.plastic_loss;
   ledger.clamp_work = lattice.clamp_work;
   ledger.interface_work_on_geogrid = lattice.load_work;
   ledger.inserted += geogrid_inserted_ - rib_energy_removed_;

@@ -83,7 +83,7 @@ void describe_usability(const PullStage& pull, const PullOut& experiment, Summar
                    protocol::usable_overlap,
                    pull.wedge.empty() ? "a wedged stone?" : "wedged: " + pull.wedge)},
       {pull.stretch_left_at, true,
-       fmt::format("a rib is stretched by more than {:.2g} %, and ribs here never yield",
+       fmt::format("a rib is stretched by more than {:.2g} %, the largest strain of data sheets",
                    100 * protocol::usable_stretch)},
       {pull.record_displacements.back() > at_wall ? std::max(0., at_wall) : -1, false,
        "the second transverse rib squeezes stones against the front wall"}};
@@ -142,6 +142,7 @@ void describe_packing(const PullOut& experiment, RunRecords& records)
   nlohmann::ordered_json& results = records.summary.results;
   results["rigid"] = p.geogrid.rigid;
   results["placement"] = p.geogrid.placement;
+  if (p.geogrid.product) results["product"] = p.geogrid.product->name;
   results["stones"] = stones(clumps);
   results["mass_in_box_kg"] = mass;
   const double above = mass_above(clumps, p.box, experiment.geogrid_height());

@@ -4,6 +4,7 @@
 #include "coupling/loop/rib_transfer.h"
 #include "dem/engine/engine.h"
 #include "dem/random_stream.h"
+#include "tests/laid_geogrid.h"
 
 #include <benchmark/benchmark.h>
 
@@ -61,7 +62,7 @@ dem::Engine settled_stones()
 
 static void beam_step(benchmark::State& state)
 {
-  coupling::RibTransfer grid = coupling::RibTransfer::biaxial(
+  coupling::RibTransfer grid = laid_geogrid(
       geogrid(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))), Vector3::Zero(),
       9.81);
   for (auto _ : state) grid.dynamics().step(1e-6);

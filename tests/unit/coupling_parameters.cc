@@ -88,6 +88,8 @@ TEST_F(Entries, FillOneMemberEach)
       {"Contact/Tangential ratio", &p.contact.tangential_ratio},
       {"Contact/Damping ratio", &p.contact.damping_ratio},
       {"Contact/Geogrid damping ratio", &p.geogrid_contact.damping_ratio},
+      {"Geogrid/Lattice length unit", &p.geogrid.lattice_length_unit},
+      {"Geogrid/Cut width", &p.geogrid.cut_width},
       {"Geogrid/Overhang", &p.geogrid.overhang},
       {"Geogrid/Pitch along", &p.geogrid.pitch_along},
       {"Geogrid/Pitch across", &p.geogrid.pitch_across},
@@ -125,8 +127,9 @@ TEST_F(Entries, FillOneMemberEach)
       {"Geogrid/Elements per rib", &p.geogrid.elements_per_rib},
       {"Output/Records", &p.output.records},
       {"Output/Field frames", &p.output.field_frames}};
-  // Kind, 2 seeds, 3 truth values, folder, placement, mass properties, order, state to start from.
-  const std::size_t others = 11;
+  // Kind, 2 seeds, 3 truth values, folder, placement, mass properties, order, state to start from,
+  // product, lattice file.
+  const std::size_t others = 13;
   EXPECT_EQ(table.entries().size(), numbers.size() + counts.size() + others);
 
   // A different value for each, inside every range; only then are they compared.
@@ -222,6 +225,10 @@ TEST_F(Entries, HaveDefaultsOnlyWherePhysicsDoesNotDependOnThem)
                                                  "Output/Checkpoint interval",
                                                  "Limits/Overlap",
                                                  "Geogrid/Break strain",
+                                                 "Geogrid/Product",
+                                                 "Geogrid/Lattice file",
+                                                 "Geogrid/Lattice length unit",
+                                                 "Geogrid/Cut width",
                                                  "Start from",
                                                  "Geogrid/Elements per rib",
                                                  "Output/Field frames",
