@@ -47,6 +47,8 @@ PullOutParameters fitting_parameters()
   p.geogrid.rib_width = 0.005;
   p.geogrid.rib_thickness = 0.0025;
   p.geogrid.edge_rounding = 0.00125;
+  p.geogrid.youngs_modulus = 2.4e9;
+  p.geogrid.density = 910;
   p.surcharge = {"spheres", 500, 0.045};
   p.pull = {0.01, 0.05, 0.05};
   return p;
@@ -262,6 +264,9 @@ TEST(CheckParameters, NamesTheEntryOfEachContradiction)
          p.box.width = 0.3;
          p.box.length = 0.5;
        }},
+      {"Geogrid/Youngs modulus", [](auto& p) { p.geogrid.youngs_modulus = 0; }},
+      {"Geogrid/Cut width", [](auto& p) { p.geogrid.cut_width = 0.19; }},
+      {"Geogrid/Cut width", [](auto& p) { p.geogrid.cut_width = 0.201; }},
       {"Surcharge/Sphere radius", [](auto& p) { p.surcharge.sphere_radius = 0; }},
       {"Surcharge/Sphere radius", [](auto& p) { p.surcharge.sphere_radius = 0.11; }},
       {"Pull/Distance", [](auto& p) { p.pull.distance = 0.4; }},
