@@ -71,7 +71,7 @@ void check_cut(const GeogridParameters& geogrid, const RibSizes& ribs, const Box
                  " m, but ", geogrid.apertures_across, " apertures across are ", whole,
                  " m wide, and from ", whole + ribs.pitch_across,
                  " m on there is room for another.");
-  if (geogrid.cut_width > box.width)
+  else if (geogrid.cut_width > box.width)
     problems.add("Geogrid/Cut width", "The sheet is cut at a width of ", geogrid.cut_width,
                  " m, but the box is only ", box.width, " m wide.");
 }
