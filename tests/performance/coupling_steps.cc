@@ -62,9 +62,9 @@ dem::Engine settled_stones()
 
 static void beam_step(benchmark::State& state)
 {
-  coupling::RibTransfer grid = laid_geogrid(
-      geogrid(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))), Vector3::Zero(),
-      9.81);
+  coupling::RibTransfer grid =
+      laid_geogrid(geogrid(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))),
+                   Vector3::Zero(), 9.81);
   for (auto _ : state) grid.dynamics().step(1e-6);
   state.counters["elements"] = grid.lattice().n_elements();
 }

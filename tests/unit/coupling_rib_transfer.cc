@@ -55,8 +55,7 @@ TEST(RibTransfer, ClampCarriesTheForcesOfTheStones)
 // are those of the impulses, to rounding.
 TEST(RibTransfer, ForceAndMomentReachTheNodes)
 {
-  coupling::RibTransfer geogrid =
-      laid_geogrid(small_geogrid(), Vector3(-0.05, 0.01, 0.02), 0);
+  coupling::RibTransfer geogrid = laid_geogrid(small_geogrid(), Vector3(-0.05, 0.01, 0.02), 0);
   fem::ExplicitDynamics& d = geogrid.dynamics();
   d.clamp({});
   dem::RandomStream random(3);
@@ -93,8 +92,7 @@ TEST(RibTransfer, ForceAndMomentReachTheNodes)
 // in the plane of the geogrid, square to the rib.
 TEST(RibTransfer, RibsFollowTheLattice)
 {
-  coupling::RibTransfer geogrid =
-      laid_geogrid(small_geogrid(), Vector3::Zero(), 9.81);
+  coupling::RibTransfer geogrid = laid_geogrid(small_geogrid(), Vector3::Zero(), 9.81);
   const fem::Lattice& lattice = geogrid.lattice();
   const std::vector<dem::Rib> unloaded = geogrid.ribs().all();
   ASSERT_EQ(static_cast<int>(unloaded.size()), lattice.n_elements());
