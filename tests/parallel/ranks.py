@@ -35,7 +35,8 @@ SMALL = ROOT / "tests/reliability/small.prm"
 PACKING = ROOT / "cases/benchmark/w1.prm"
 THROWN = ["Time/Warm-up steps=0", "Packing/Throw speed=1", "Packing/Throw spin=30"]
 # Weak triangles, which yield in a small box.
-TRIANGLES = [f"Geogrid/Product={ROOT / 'cases/geogrids/tx160.prm'}", "Geogrid/Elements per rib=8"] + [
+TRIANGLES = [f"Geogrid/Product={ROOT / 'cases/geogrids/tx160.prm'}", "Geogrid/Elements per rib=8",
+             "Product/Elements per rib=3", "Product/Junction reach=0"] + [
     f"Geogrid/{name}=0" for name in ("Pitch along", "Pitch across", "Rib width", "Rib thickness", "Youngs modulus",
                                      "Poisson ratio", "Density")] + [
     f"Product/{name} {direction}={value}" for direction in ("along", "across") for name, value in (
