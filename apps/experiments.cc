@@ -9,6 +9,7 @@
 #include "coupling/packing/packing.h"
 #include "coupling/packing/packing_declarations.h"
 #include "coupling/packing/packing_forecast.h"
+#include "coupling/parameters/product_declarations.h"
 #include "coupling/pull_out/pull_out.h"
 #include "coupling/pull_out/pull_out_declarations.h"
 #include "coupling/pull_out/pull_out_forecast.h"
@@ -143,15 +144,25 @@ Experiment row(const std::string& name, const char* template_text,
   experiment.draws_figures = [=](const ExperimentParameters& p) { return draws_figures(mine(p)); };
   return experiment;
 }
+
+Experiment with_product(Experiment experiment)
+{
+  experiment.product_entry = "Geogrid/Product";
+  experiment.declare_product = [](coupling::ParameterTable& table, ExperimentParameters& p) {
+    coupling::declare_product(table,
+                              std::get<coupling::PullOutParameters>(p).geogrid.product.emplace());
+  };
+  return experiment;
+}
 } // namespace
 
 const std::vector<Experiment>& experiments()
 {
   static const std::vector<Experiment> table = {
-      row<coupling::PullOutParameters>(
+      with_product(row<coupling::PullOutParameters>(
           "pull-out", pull_out_template(), coupling::declare_pull_out, coupling::check_pull_out,
           pull_out, forecast_of<coupling::PullOut>,
-          [](const coupling::PullOutParameters& p) { return p.output.report; }),
+          [](const coupling::PullOutParameters& p) { return p.output.report; })),
       row<coupling::HeapParameters>(
           "heap", heap_template(), coupling::declare_heap, coupling::check_heap, heap,
           forecast_of<coupling::Heap>,

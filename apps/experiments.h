@@ -47,6 +47,10 @@ struct Experiment {
   std::function<coupling::Forecast(const ExperimentParameters&, const coupling::RunRequest&)>
       forecast;
   std::function<bool(const ExperimentParameters&)> draws_figures; // at the end of a run
+  // Where a case may take its geogrid from a product file: the entry that names it, and the section
+  // "Product" of that file or of the case. Null elsewhere.
+  std::string product_entry;
+  std::function<void(coupling::ParameterTable&, ExperimentParameters&)> declare_product;
 };
 
 const std::vector<Experiment>& experiments();

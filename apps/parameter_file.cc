@@ -1,5 +1,6 @@
 #include "apps/parameter_file.h"
 
+#include "apps/product_section.h"
 #include "apps/unknown_entry.h"
 #include "apps/value_error.h"
 #include "coupling/parameters/usual_ranges.h"
@@ -60,6 +61,27 @@ public:
     return last;
   }
 
+  // Entries of the file that `product_entry` names come first, so that the case may change some of
+  // them. Whether the case has a product: that of a file, or a section of its own.
+  bool take_product(const std::string& product_entry)
+  {
+    if (product_entry.empty()) return false;
+    product_entry_ = product_entry;
+    const Assignment* naming = find(product_entry);
+    const bool has_file = naming && !naming->value.empty();
+    const std::size_t errors_before = errors_.size();
+    if (has_file) {
+      const Assignment line = *naming;
+      const auto product = product_section(absolute_path(line), line, errors_);
+      assignments_.insert(assignments_.begin(), product.begin(), product.end());
+      if (errors_.size() > errors_before) throw_errors(); // nobody knows what is missing
+    }
+    has_product_ =
+        has_file || std::any_of(assignments_.begin(), assignments_.end(),
+                                [](const Assignment& a) { return a.section == "Product"; });
+    return has_product_;
+  }
+
   void fill(ParameterTable& table)
   {
     for (const Assignment& assignment : assignments_) {
@@ -96,7 +118,8 @@ public:
   void find_missing(const ParameterTable& table)
   {
     for (const ParameterEntry& entry : table.entries())
-      if (entry.required && places_.count(entry.key()) == 0) add_missing(entry);
+      if (entry.required && places_.count(entry.key()) == 0 && !is_replaced(entry))
+        add_missing(entry);
   }
 
   void add_missing(const ParameterEntry& entry)
@@ -144,17 +167,29 @@ private:
     return entry.unit.empty() || entry.unit == "-" ? "" : ", in " + entry.unit;
   }
 
+  bool is_replaced(const ParameterEntry& entry) const
+  {
+    return has_product_ && entry.replaced_by == product_entry_;
+  }
+
+  static fs::path absolute_path(const Assignment& assignment)
+  {
+    return fs::absolute(assignment.base / assignment.value).lexically_normal();
+  }
+
   static std::string resolved(const ParameterEntry& entry, const Assignment& assignment)
   {
     if (entry.key() == experiment_entry) return present_name(assignment.value);
     if (!entry.is_path || assignment.value.empty()) return assignment.value;
-    return fs::absolute(assignment.base / assignment.value).lexically_normal().string();
+    return absolute_path(assignment).string();
   }
 
   fs::path file_;
   std::vector<Assignment> assignments_;
   std::map<std::string, std::string> places_; // of the last assignment of each entry
   std::vector<std::string> errors_;
+  std::string product_entry_; // take_product()
+  bool has_product_ = false;
 };
 
 // Entries of every experiment.
@@ -206,6 +241,8 @@ RunInput checked(Input input)
   CommonParameters common;
   declare_common(table, common);
   result.experiment->declare(table, result.parameters);
+  if (input.take_product(result.experiment->product_entry))
+    result.experiment->declare_product(table, result.parameters);
   input.fill(table);
   input.find_missing(table);
   input.throw_errors();

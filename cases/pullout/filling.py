@@ -20,6 +20,8 @@ KINDS = {
     "not flattened": ["Geogrid/Placement=not flattened", "Filling/Lower bulk density=1930",
                       "Filling/Upper bulk density=1408"],
 }
+# The ribs of loose.prm, with which the documents' fillings were measured.
+ASSUMED_RIBS = f"Geogrid/Product={ROOT / 'cases/geogrids/assumed_5x2.5.prm'}"
 # The shortest pull: only the state before it is wanted.
 NO_PULL = ["Pull/Distance=2e-5", "Pull/Ramp time=1e-3", "Output/Field frames=0", "Output/Report=false"]
 # Row of the table: value of the results, factor, digits, the paper's value for both kinds and its tolerance.
@@ -41,7 +43,7 @@ ROWS = {
 def results_of(folder, kind, seed, program, options):
     run = folder / f"{kind.replace(' ', '-')}-{seed}"
     if not (run / "summary.json").exists():
-        sets = KINDS[kind] + [f"Filling/Seed={seed}"] + NO_PULL
+        sets = KINDS[kind] + [ASSUMED_RIBS, f"Filling/Seed={seed}"] + NO_PULL
         words = [word for entry in sets for word in ("--set", entry)]
         done = subprocess.run([program, "run", ROOT / "cases/pullout/pullout.prm", *words, *options, "--force", "-o", run],
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)

@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -I
 """What better clumps and the paper's filling change in a pull-out: the cases before (loose.prm: clumps in random order, halves levelled by
 taking stones off) and after (pullout.prm: clumps by gain, halves weighed in and pressed level), the quick one (100 mm/s) and the paper's
-(10 mm/s): masses, and forces at given displacements, as mean and standard deviation over fillings. Writes one folder a run and
+(10 mm/s), both with the ribs of loose.prm: masses, and forces at given displacements, as mean and standard deviation over fillings. Writes one folder a run and
 stones_and_filling.md.
 
     stones_and_filling.py [FOLDER] [--seeds 1,2,3,4,5] [--cases quick,paper] [--jobs 2] [--program PROGRAM] [-- OPTIONS OF interlock run]
@@ -18,7 +18,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
-from filling import cell, read_arguments  # noqa: E402
+from filling import ASSUMED_RIBS, cell, read_arguments  # noqa: E402
 
 QUICK = ["Pull/Speed=0.1", "Pull/Distance=0.02", "Pull/Ramp time=0.01", "Filling/Kinetic energy ratio=4e-4"]
 PAPER = ["Pull/Distance=0.021"]  # the last displacement of the table, and half a window more
@@ -44,7 +44,7 @@ def force_at(run, place):
 def make(run, file, entries, program, options):
     if (run / "summary.json").exists():
         return
-    words = [word for entry in [*entries, "Output/Field frames=0", "Output/Report=false"] for word in ("--set", entry)]
+    words = [word for entry in [ASSUMED_RIBS, *entries, "Output/Field frames=0", "Output/Report=false"] for word in ("--set", entry)]
     done = subprocess.run([program, "run", HERE / file, *words, *options, "--force", "-o", run],
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     print(run.name, flush=True)

@@ -2,10 +2,8 @@
 
 #include "coupling/files/atomic_file.h"
 #include "coupling/output/lattice_output.h"
+#include "coupling/parameters/geogrid_product.h"
 #include "dem/input_error.h"
-#include "fem/gmsh/gmsh_file.h"
-#include "fem/gmsh/gmsh_lattice.h"
-#include "fem/ribs/tension_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,31 +15,6 @@ namespace interlock::coupling
 namespace
 {
 constexpr double degree = M_PI / 180, standard_gravity = 9.80665;
-
-// Ribs of this Young's modulus, or those whose sheet has this stiffness and strength: `spacing` is
-// the width of the sheet that one rib carries, `length` that from junction to junction. Thicker
-// zones strain less, so the rib between them is made softer to small strains.
-fem::RibProfile product_ribs(const ProductRibsParameters& parameters,
-                             const ProductParameters& product, double spacing, double length)
-{
-  fem::RibProfile ribs;
-  ribs.shape = {parameters.width, parameters.thickness, parameters.youngs_modulus,
-                product.poisson_ratio, product.density};
-  fem::TensionLaw law;
-  if (parameters.stiffness_2 > 0) {
-    const double stiffness_5 =
-        parameters.stiffness_5 > 0 ? parameters.stiffness_5 : parameters.stiffness_2;
-    const double zones = product.junction_reach > 0 ? 2 * product.junction_reach / length : 0;
-    const double thin = zones > 0 ? parameters.thickness / product.junction_thickness : 1;
-    law = fem::tension_law(parameters.stiffness_2, stiffness_5, spacing * (1 - zones * (1 - thin)));
-    ribs.shape.youngs_modulus = law.axial / fem::area(ribs.shape);
-  }
-  ribs.section = fem::beam_section(ribs.shape);
-  ribs.section.softening = law.softening;
-  ribs.section.yield_force =
-      parameters.strength > 0 ? spacing * parameters.strength : law.yield_force;
-  return ribs;
-}
 
 std::string number(double value, int digits = 4)
 {
@@ -57,31 +30,6 @@ std::string padded(std::string text, std::size_t width, bool right = true)
   return text;
 }
 } // namespace
-
-fem::GeogridProduct geogrid_product(const ProductParameters& parameters)
-{
-  fem::GeogridProduct product;
-  product.pitch_along = parameters.pitch_along;
-  product.pitch_across = parameters.pitch_across;
-  product.elements_per_rib = parameters.elements_per_rib;
-  product.junctions = {parameters.junction_reach, parameters.junction_thickness};
-  if (parameters.junction_stiffness > 0)
-    product.junction_stiffness.in_plane = parameters.junction_stiffness;
-  product.pattern = parameters.pattern == "triaxial"   ? fem::Pattern::triaxial
-                    : parameters.pattern == "uniaxial" ? fem::Pattern::uniaxial
-                                                       : fem::Pattern::biaxial;
-  // A sheet of triangles of ribs EA has the stiffness 2 EA/(sqrt(3) side) in every direction.
-  const double spacing = std::sqrt(0.75) * parameters.pitch_across;
-  const bool triaxial = product.pattern == fem::Pattern::triaxial;
-  product.ribs_along =
-      triaxial ? product_ribs(parameters.along, parameters, spacing, parameters.pitch_across)
-               : product_ribs(parameters.along, parameters, parameters.pitch_across,
-                              parameters.pitch_along);
-  product.ribs_across =
-      product_ribs(parameters.across, parameters, triaxial ? spacing : parameters.pitch_along,
-                   parameters.pitch_across);
-  return product;
-}
 
 Laboratory::Laboratory(const LaboratoryParameters& parameters, const Monitor& monitor)
     : parameters_(parameters), monitor_(monitor)
@@ -113,20 +61,7 @@ void Laboratory::make_lattice()
     sets_ = node_sets_of_piece(*lattice_);
     return;
   }
-  const fem::GmshFile drawn = fem::read_gmsh_file(p.lattice_file);
-  std::map<std::string, fem::GmshSection> sections;
-  for (const fem::GmshFile::Line& line : drawn.lines)
-    if (line.group == "along")
-      sections[line.group].profile = product_.ribs_along;
-    else if (line.group == "across")
-      sections[line.group].profile = product_.ribs_across;
-    else
-      throw InputError(
-          "The lattice file \"" + p.lattice_file + "\" has lines " +
-          (line.group.empty() ? "in no named group" : "in a group \"" + line.group + "\"") +
-          ", but groups of lines must be called \"along\" or \"across\" (physical "
-          "names in Gmsh) and take those ribs of the product.");
-  const fem::GmshLattice file = fem::gmsh_lattice(drawn, sections, p.lattice_length_unit);
+  const fem::GmshLattice file = drawn_lattice(p.lattice_file, p.lattice_length_unit, product_);
   lattice_ = std::make_unique<fem::Lattice>(file.lines);
   sets_ = fem::node_sets(file, *lattice_);
   for (int i = 0; i < lattice_->n_nodes(); ++i) sets_["everywhere"].push_back(i);

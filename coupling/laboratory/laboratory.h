@@ -16,9 +16,6 @@
 
 namespace interlock::coupling
 {
-// The product of the parameters; every section valid. Throws std::invalid_argument otherwise.
-fem::GeogridProduct geogrid_product(const ProductParameters& parameters);
-
 class Laboratory
 {
 public:

@@ -24,6 +24,7 @@ const NamedEntry table[] = {
     {"crushing", &EnergyLedger::crushing},
     {"local_damping", &EnergyLedger::local_damping},
     {"geogrid_damping", &EnergyLedger::geogrid_damping},
+    {"geogrid_plastic", &EnergyLedger::geogrid_plastic},
     {"clamp_work", &EnergyLedger::clamp_work},
     {"wall_work", &EnergyLedger::wall_work},
     {"inserted", &EnergyLedger::inserted},
@@ -37,7 +38,8 @@ double EnergyLedger::residual() const
 {
   const double stored =
       kinetic_stones + kinetic_geogrid + gravitational + elastic_contacts + elastic_geogrid;
-  const double dissipated = friction + contact_damping + crushing + local_damping + geogrid_damping;
+  const double dissipated =
+      friction + contact_damping + crushing + local_damping + geogrid_damping + geogrid_plastic;
   return stored + dissipated - clamp_work - wall_work - inserted;
 }
 

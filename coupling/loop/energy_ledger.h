@@ -29,6 +29,7 @@ struct EnergyLedger {
   double crushing = 0;         // dissipated where contacts crush
   double local_damping = 0;    // dissipated by local damping of stones while they settle
   double geogrid_damping = 0;  // dissipated by mass damping of the geogrid
+  double geogrid_plastic = 0;  // plastic work of ribs that soften or yield
   double clamp_work = 0;       // done by the clamp on the geogrid
   double wall_work = 0;        // done by moving walls on stones
   double inserted = 0;         // of stones and geogrid when they came in, less what was removed
@@ -65,6 +66,7 @@ template <class Archive> void exchange(Archive& archive, EnergyLedger& ledger)
   archive("crushing", ledger.crushing, "J");
   archive("local_damping", ledger.local_damping, "J");
   archive("geogrid_damping", ledger.geogrid_damping, "J");
+  archive("geogrid_plastic", ledger.geogrid_plastic, "J");
   archive("clamp_work", ledger.clamp_work, "J");
   archive("wall_work", ledger.wall_work, "J");
   archive("inserted", ledger.inserted, "J");

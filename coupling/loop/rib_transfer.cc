@@ -1,47 +1,12 @@
 #include "coupling/loop/rib_transfer.h"
 
 #include "dem/exact_sums.h"
-#include "fem/layouts/biaxial_layout.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace interlock::coupling
 {
-namespace
-{
-fem::BiaxialLayout biaxial_layout(const GeogridParameters& p, const dem::Vector3& front)
-{
-  fem::RibSection section;
-  section.width = p.rib_width;
-  section.thickness = p.rib_thickness;
-  section.youngs_modulus = p.youngs_modulus;
-  section.poisson_ratio = p.poisson_ratio;
-  section.density = p.density;
-
-  fem::BiaxialLayout layout;
-  layout.apertures_along = p.apertures_along;
-  layout.apertures_across = p.apertures_across;
-  layout.pitch_along = p.pitch_along;
-  layout.pitch_across = p.pitch_across;
-  layout.elements_per_rib = p.elements_per_rib;
-  layout.section_along = layout.section_across = section;
-  layout.origin = front;
-  return layout;
-}
-} // namespace
-
-RibTransfer RibTransfer::biaxial(const GeogridParameters& p, const dem::Vector3& front,
-                                 double gravity)
-{
-  const fem::Lattice lattice(rib_lines(biaxial_layout(p, front)));
-  fem::DynamicsOptions options;
-  options.gravity = {0, 0, -gravity};
-  options.mass_damping = p.mass_damping;
-  const std::vector<int> front_edge = lattice.front_edge_nodes();
-  return RibTransfer(lattice, options, front_edge, p.rigid, p.edge_rounding);
-}
-
 RibTransfer::RibTransfer(const fem::Lattice& unloaded, const fem::DynamicsOptions& options,
                          const std::vector<int>& clamped, bool rigid, double edge_rounding)
     : rigid_(rigid), dynamics_(unloaded, options), node_rates_(unloaded.n_nodes(), 0.),

@@ -2,7 +2,6 @@
 // the ribs of dem, contact wrenches go from the ribs to the nodes of the lattice.
 #pragma once
 
-#include "coupling/parameters/geogrid_parameters.h"
 #include "dem/ribs/rib_contacts.h"
 #include "fem/explicit/explicit_dynamics.h"
 
@@ -33,11 +32,6 @@ public:
   // radius of the ribs' edges [m]. The outer sizes of the ribs are those of the lattice's lines.
   RibTransfer(const fem::Lattice& unloaded, const fem::DynamicsOptions& options,
               const std::vector<int>& clamped, bool rigid, double edge_rounding);
-
-  // The geogrid of a pull-out test. `front` is the middle of the front transverse rib, the one that
-  // the clamp holds; the lattice lies flat behind it, along +x [m]. `gravity` acts along -z [m/s2].
-  static RibTransfer biaxial(const GeogridParameters& parameters, const dem::Vector3& front,
-                             double gravity);
 
   const fem::Lattice& lattice() const { return dynamics_.lattice(); }
   fem::ExplicitDynamics& dynamics() { return dynamics_; }

@@ -261,6 +261,7 @@ EnergyLedger StaggeredStep::ledger(double dt) const
   ledger.gravitational += lattice.gravitational;
   ledger.elastic_geogrid = lattice.elastic;
   ledger.geogrid_damping = lattice.damping_loss;
+  ledger.geogrid_plastic = lattice.plastic_loss;
   ledger.clamp_work = lattice.clamp_work;
   ledger.interface_work_on_geogrid = lattice.load_work;
   ledger.inserted += geogrid_inserted_ - rib_energy_removed_;

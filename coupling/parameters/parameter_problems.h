@@ -1,6 +1,7 @@
 // What a single entry's range cannot tell: parameters that contradict each other or the disk.
 #pragma once
 
+#include <cstddef>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -33,6 +34,7 @@ public:
     list_.back().unusual = true;
   }
 
+  std::size_t size() const { return list_.size(); }
   std::vector<ParameterProblem> take() { return std::move(list_); }
 
 private:

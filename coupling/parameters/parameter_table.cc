@@ -99,7 +99,9 @@ void ParameterTable::bind(const std::string& name, T& member, const T& start,
                           const dealii::Patterns::PatternBase& pattern, const std::string& allowed,
                           const std::string& text, const bool required)
 {
-  ParameterEntry entry{section_, name, text, "", allowed, required};
+  ParameterEntry entry;
+  entry.section = section_, entry.name = name, entry.sentence = text;
+  entry.allowed = allowed, entry.required = required;
   const auto bracket = text.rfind(" [");
   if (bracket != std::string::npos && text.back() == ']') {
     entry.sentence = text.substr(0, bracket);
@@ -134,6 +136,14 @@ void ParameterTable::require(const std::string& name, int& member, const Range& 
 void ParameterTable::require(const std::string& name, bool& member, const std::string& text)
 {
   bind(name, member, false, dealii::Patterns::Bool(), "\"true\" or \"false\"", text, true);
+}
+
+void ParameterTable::require_unless(const std::string& other, const std::string& name,
+                                    double& member, const Range& range, const std::string& text)
+{
+  offer(name, member, 0, range, text);
+  entries_.back().required = true;
+  entries_.back().replaced_by = other;
 }
 
 void ParameterTable::require_choice(const std::string& name, std::string& member,

@@ -23,14 +23,15 @@ class PatternBase;
 namespace interlock::coupling
 {
 struct ParameterEntry {
-  std::string section;   // empty at the top level
-  std::string name;      // words with spaces
-  std::string sentence;  // what it is, without the unit
-  std::string unit;      // "Pa"; "-" for a pure number; empty where the value is a word
-  std::string allowed;   // in words: "a number greater than 0"
-  bool required = false; // has no default
-  bool is_path = false;  // of a file or folder
-  bool is_text = false;  // any text: a name
+  std::string section;     // empty at the top level
+  std::string name;        // words with spaces
+  std::string sentence;    // what it is, without the unit
+  std::string unit;        // "Pa"; "-" for a pure number; empty where the value is a word
+  std::string allowed;     // in words: "a number greater than 0"
+  bool required = false;   // has no default
+  bool is_path = false;    // of a file or folder
+  bool is_text = false;    // any text: a name
+  std::string replaced_by; // key of an entry that, where it is given, stands for this one, too
 
   std::string key() const; // "Section/Name", as `--set` writes it
 };
@@ -61,6 +62,9 @@ public:
                const std::string& text);
   void require(const std::string& name, int& member, const Range& range, const std::string& text);
   void require(const std::string& name, bool& member, const std::string& text);
+  // Must be set unless the entry `other` is given; starts as 0.
+  void require_unless(const std::string& other, const std::string& name, double& member,
+                      const Range& range, const std::string& text);
   void require_choice(const std::string& name, std::string& member,
                       const std::vector<std::string>& choices, const std::string& text);
   void offer(const std::string& name, double& member, double start, const Range& range,

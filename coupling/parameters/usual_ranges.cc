@@ -30,12 +30,14 @@ const std::vector<Row>& table()
       {{"Gravity", "Laboratory/Gravity"}, {0.1, 2000, {{"cm/s2", 1e-2}}}},
       // Rock is 2000 to 3500 kg/m3; slag, steel balls and porous stones are tried, too.
       {{"Stones/Density", "--density"}, {1000, 8000, densities}},
-      {{"Stones/Length unit", "Mesh wall/Length unit", "Laboratory/Lattice length unit"},
+      {{"Stones/Length unit", "Mesh wall/Length unit", "Laboratory/Lattice length unit",
+        "Geogrid/Lattice length unit"},
        {1e-7, 1, {}}},
       // Spheres of a clump: the finest mesh of a scan, the largest stone.
       {{"Stones/D min", "Stones/R min", "--d-min", "--r-min", "--bulge", "Stones/Bulge"},
        {1e-6, 0.05, lengths}},
-      {{"Box/Length", "Box/Width", "Box/Height", "Drop/Floor side"}, {0.02, 10, lengths}},
+      {{"Box/Length", "Box/Width", "Box/Height", "Drop/Floor side", "Geogrid/Cut width"},
+       {0.02, 10, lengths}},
       {{"Box/Slot height", "Box/Gap"}, {5e-4, 0.5, lengths}},
       // Of a contact: 1e5 is foam, 1e11 a steel block.
       {{"Contact/Stone stiffness", "Contact/Box stiffness", "Contact/Geogrid stiffness",

@@ -31,7 +31,7 @@ std::vector<bool> in_the_way(const PullOut& experiment, const RibTransfer& geogr
   const std::vector<dem::Rib> ribs = geogrid.ribs().all();
   std::vector<bool> result(clumps.size());
   for (int i = 0; i < clumps.size(); ++i) {
-    const double reach = clumps.bounding_radius(i) + experiment.parameters().geogrid.rib_width;
+    const double reach = clumps.bounding_radius(i) + experiment.sheet().thickness;
     const bool near = std::abs(clumps.position[i].z() - experiment.geogrid_height()) <= reach;
     result[i] = near && overlaps(clumps, i, ribs);
   }

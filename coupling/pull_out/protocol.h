@@ -22,8 +22,8 @@ constexpr double settling_after_plate = 0.01;
 
 // Beyond these the pull is no measurement of ballast and geogrid any more. Overlap of a contact
 // over the mean radius of a member sphere: a surface that is pressed in by a tenth of its radius is
-// another surface [-]. Stretch of a rib: data sheets state forces up to 5 %, and ribs here stay
-// elastic at any stretch [-].
+// another surface [-]. Stretch of a rib, plastic stretch included: data sheets state forces up to
+// 5 %, and beyond that the law of ribs is a guess [-].
 constexpr double usable_overlap = 0.1, usable_stretch = 0.05;
 // The second transverse rib squeezes stones against the front wall from this share of a mean stone
 // between them on [-].

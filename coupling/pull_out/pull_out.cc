@@ -1,5 +1,6 @@
 #include "coupling/pull_out/pull_out.h"
 
+#include "coupling/parameters/geogrid_product.h"
 #include "coupling/pull_out/protocol.h"
 #include "coupling/stones/filled_box.h"
 #include "coupling/stones/stone_batch.h"
@@ -18,6 +19,23 @@ namespace
 {
 using dem::Vector3;
 
+// The softer family of ribs, at small strains: what a drawn polymer has across its ribs is not
+// known.
+dem::Elastic surface_of_ribs(const GeogridParameters& g)
+{
+  const fem::GeogridProduct product = geogrid_product(g);
+  return {
+      std::min(product.ribs_along.shape.youngs_modulus, product.ribs_across.shape.youngs_modulus),
+      product.ribs_along.shape.poisson_ratio};
+}
+
+GeogridSheet laid(const PullOutParameters& p)
+{
+  GeogridSheet sheet = lay_geogrid(p.geogrid, front_of_geogrid(p.geogrid, p.box));
+  check_sheet_fits(sheet, p.box);
+  return sheet;
+}
+
 dem::ContactProperties elastic_stone_on_geogrid(const PullOutParameters& p)
 {
   const StoneContactParameters& stone = p.contact;
@@ -28,8 +46,7 @@ dem::ContactProperties elastic_stone_on_geogrid(const PullOutParameters& p)
                        rib.damping_ratio);
   // Stone is some twenty times as stiff as polymer: the rib alone is indented.
   const dem::Elastic rock{std::numeric_limits<double>::infinity(), 0};
-  return dem::hertz_mindlin_pair(rock, {p.geogrid.youngs_modulus, p.geogrid.poisson_ratio},
-                                 friction, rib.damping_ratio);
+  return dem::hertz_mindlin_pair(rock, surface_of_ribs(p.geogrid), friction, rib.damping_ratio);
 }
 
 // The limit is that of the stone: nothing is known here of how ribs are bruised.
@@ -42,7 +59,8 @@ dem::ContactProperties stone_on_geogrid(const PullOutParameters& p)
 } // namespace
 
 PullOut::PullOut(const PullOutParameters& parameters)
-    : parameters_(parameters), stone_on_stone_(coupling::stone_on_stone(parameters.contact)),
+    : parameters_(parameters), sheet_(laid(parameters)),
+      stone_on_stone_(coupling::stone_on_stone(parameters.contact)),
       stone_on_box_(coupling::stone_on_box(parameters.contact)),
       stone_on_rib_(stone_on_geogrid(parameters)),
       world_({}, filling_contact(), stone_on_rib_, parameters.gravity)
@@ -113,7 +131,7 @@ double PullOut::mass_of_half(double bulk_density) const
 void PullOut::append_lower_half(std::vector<Stage>& plan) const
 {
   const bool flattened = parameters_.geogrid.placement == "flattened";
-  const double underside = geogrid_height() - 0.5 * parameters_.geogrid.rib_thickness;
+  const double underside = geogrid_height() - 0.5 * sheet_.thickness;
   // A surface that is to be pressed flat starts with less standing out of it.
   const double margin = flattened ? 0 : protocol::margin_not_flattened * mean_size;
   const double mass = mass_of_half(parameters_.filling.lower_bulk_density);
@@ -150,7 +168,7 @@ std::vector<std::string> PullOut::history_columns() const
                                       "substeps [-]",
                                       "longitudinal_ribs_load [N]"};
   // Numbered from the clamped one at the front.
-  for (int rib = 0; rib <= parameters_.geogrid.apertures_along; ++rib)
+  for (std::size_t rib = 0; rib < sheet_.rows.size(); ++rib)
     columns.push_back(fmt::format("transverse_rib_{}_load [N]", rib));
   append_ledger_columns(columns);
   return columns;
@@ -177,10 +195,12 @@ void PullOut::begin(RunRecords& records) const
 
 std::unique_ptr<RibTransfer> PullOut::make_geogrid() const
 {
-  const GeogridParameters& g = parameters_.geogrid;
-  const Vector3 front(-g.overhang - 0.5 * g.rib_width, 0.5 * parameters_.box.width,
-                      geogrid_height());
-  return std::make_unique<RibTransfer>(RibTransfer::biaxial(g, front, parameters_.gravity));
+  fem::DynamicsOptions options;
+  options.gravity = {0, 0, -parameters_.gravity};
+  options.mass_damping = parameters_.geogrid.mass_damping;
+  return std::make_unique<RibTransfer>(sheet_.lattice, options, sheet_.clamped,
+                                       parameters_.geogrid.rigid,
+                                       parameters_.geogrid.edge_rounding);
 }
 
 Pouring PullOut::pouring() const
@@ -200,9 +220,7 @@ SettlingParameters PullOut::settling() const
 
 double PullOut::displacement_of_rib_at_wall() const
 {
-  const GeogridParameters& g = parameters_.geogrid;
-  if (g.apertures_along < 2) return std::numeric_limits<double>::infinity();
-  return g.pitch_along - g.overhang - g.rib_width - protocol::room_at_wall * mean_size;
+  return room_at_wall() - protocol::room_at_wall * mean_size;
 }
 
 void PullOut::drop_lost_stones()

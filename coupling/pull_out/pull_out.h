@@ -9,6 +9,7 @@
 #include "coupling/run/run_records.h"
 #include "coupling/run/run_request.h"
 #include "coupling/loop/world.h"
+#include "coupling/pull_out/geogrid_sheet.h"
 #include "coupling/pull_out/pull_out_parameters.h"
 #include "coupling/pull_out/pull_out_stages.h"
 #include "coupling/pull_out/start_from.h"
@@ -33,7 +34,8 @@ public:
   using Stage = std::variant<FillStage, FlattenStage, PlaceStage, LoadStage, AdaptStage,
                              SettleStage, PullStage>;
 
-  // Nothing but the parameters: for reading a state into.
+  // Nothing but the parameters, and the sheet that they describe: for reading a state into. Throws
+  // InputError when there is no such sheet.
   explicit PullOut(const PullOutParameters& parameters);
 
   // Makes the stones and the empty box, and checks what only they can tell (the stable step); or
@@ -62,14 +64,17 @@ public:
   // The box is full: stones have the friction of the test from now on.
   void end_filling() { world_.engine.stone_contact() = stone_on_stone_; }
   double geogrid_height() const { return 0.5 * parameters_.box.height; } // of its middle plane [m]
+  const GeogridSheet& sheet() const { return sheet_; }
   std::unique_ptr<RibTransfer> make_geogrid() const; // unloaded, where it is placed
   Pouring pouring() const;
   Filling filling();
   SettlingParameters settling() const;
   // Gives a state that was made with other entries those of this case (start_from.h).
   void adapt();
-  // Of the clamp, from which on stones may be squeezed between the second transverse rib and the
-  // front wall (protocol.h); infinite with one aperture only [m].
+  // Between the second transverse rib and the front wall before the pull; infinite if there is but
+  // one [m].
+  double room_at_wall() const { return sheet_.room_behind - parameters_.geogrid.overhang; }
+  // Of the clamp, from which on stones may be squeezed there (protocol.h) [m].
   double displacement_of_rib_at_wall() const;
   // Takes out what fell through the slot: it would fall for ever.
   void drop_lost_stones();
@@ -95,6 +100,7 @@ private:
   void choose_step(const dem::StableStep& stable);
 
   PullOutParameters parameters_;
+  GeogridSheet sheet_;
   dem::ContactProperties stone_on_stone_, stone_on_box_, stone_on_rib_;
   World world_;
   std::string preparation_; // what it made, for the log

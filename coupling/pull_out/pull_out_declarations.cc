@@ -34,22 +34,48 @@ void declare_contact(ParameterTable& table, PullOutParameters& parameters)
                 "The dashpots between a stone and a rib, on their reduced mass. [-]");
 }
 
+constexpr const char* product = "Geogrid/Product";
+
+void declare_product_files(ParameterTable& table, GeogridParameters& geogrid)
+{
+  table.offer_file(
+      "Product", geogrid.product_file,
+      "Parameter file whose section Product says what the geogrid is, such as those in "
+      "cases/geogrids, relative to this file; empty: the entries below, or a section "
+      "Product of this file.");
+  table.offer_file(
+      "Lattice file", geogrid.lattice_file,
+      "A Gmsh file (.msh) with the whole lattice, relative to this file: its groups of "
+      "lines are named along or across and take those ribs; a group of points clamp "
+      "names the nodes that are held, else those of smallest x are. Numbers of "
+      "apertures and pitches are without effect then.");
+  table.offer("Lattice length unit", geogrid.lattice_length_unit, 1, positive,
+              "Length of one unit of that file, 0.001 for millimetres. [m]");
+}
+
 void declare_lattice(ParameterTable& table, GeogridParameters& geogrid)
 {
+  declare_product_files(table, geogrid);
   table.require("Apertures along", geogrid.apertures_along, {1, 1000, true},
-                "Number of apertures in the direction of the pull. [-]");
+                "Number of apertures in the direction of the pull; of triangle heights. [-]");
   table.require("Apertures across", geogrid.apertures_across, {1, 1000, true},
-                "Number of apertures across the box. [-]");
+                "Number of apertures across the box; of sides of triangles. [-]");
+  table.offer(
+      "Cut width", geogrid.cut_width, 0, not_negative,
+      "Ribs that run across or diagonally go on beyond the last aperture to where the sheet "
+      "is cut at this width; 0: they end there. [m]");
   table.require("Overhang", geogrid.overhang, not_negative,
                 "Distance of the clamped front rib outside the box from the front wall. [m]");
-  table.require("Pitch along", geogrid.pitch_along, positive,
-                "Distance of the centre lines of two transverse ribs. [m]");
-  table.require("Pitch across", geogrid.pitch_across, positive,
-                "Distance of the centre lines of two longitudinal ribs. [m]");
-  table.require("Rib width", geogrid.rib_width, positive,
-                "Width of a rib in the plane of the geogrid. [m]");
-  table.require("Rib thickness", geogrid.rib_thickness, positive,
-                "Thickness of a rib, out of plane. [m]");
+  table.require_unless(
+      product, "Pitch along", geogrid.pitch_along, not_negative,
+      "Distance of the centre lines of two transverse ribs; 0: that of the product. [m]");
+  table.require_unless(
+      product, "Pitch across", geogrid.pitch_across, not_negative,
+      "Distance of the centre lines of two longitudinal ribs; 0: that of the product. [m]");
+  table.require_unless(product, "Rib width", geogrid.rib_width, not_negative,
+                       "Width of a rib in the plane of the geogrid; 0: that of the product. [m]");
+  table.require_unless(product, "Rib thickness", geogrid.rib_thickness, not_negative,
+                       "Thickness of a rib, out of plane; 0: that of the product. [m]");
   table.require("Edge rounding", geogrid.edge_rounding, not_negative,
                 "Radius of the rounded edges of a rib, at most half its thickness. [m]");
 }
@@ -63,13 +89,15 @@ void declare_geogrid(ParameterTable& table, GeogridParameters& geogrid)
                        "A plate flattens the surface below the geogrid first, or the stones in the "
                        "way of the ribs are removed.");
   declare_lattice(table, geogrid);
-  table.require("Youngs modulus", geogrid.youngs_modulus, positive,
-                "Young's modulus of the ribs, tension along the rib. [Pa]");
-  table.require("Poisson ratio", geogrid.poisson_ratio, {-1, 0.5, false},
-                "Poisson's ratio of the ribs. [-]");
-  table.require("Density", geogrid.density, positive, "Density of the ribs. [kg/m3]");
+  table.require_unless(
+      product, "Youngs modulus", geogrid.youngs_modulus, not_negative,
+      "Young's modulus of the ribs, tension along the rib; 0: that of the product. [Pa]");
+  table.require_unless(product, "Poisson ratio", geogrid.poisson_ratio, {-1, 0.5, false},
+                       "Poisson's ratio of the ribs; with a product 0, and that of it holds. [-]");
+  table.require_unless(product, "Density", geogrid.density, not_negative,
+                       "Density of the ribs; 0: that of the product. [kg/m3]");
   table.offer("Elements per rib", geogrid.elements_per_rib, 8, {1, 1000, true},
-              "Beam elements between two junctions. [-]");
+              "Beam elements between two junctions; a product has an entry of its own. [-]");
   table.require("Mass damping", geogrid.mass_damping, not_negative,
                 "Damping of the ribs' motion: force = mass damping x mass x velocity. [1/s]");
   table.offer("Break strain", geogrid.break_strain, 0, {0, 10, true},

@@ -13,6 +13,32 @@ namespace interlock::coupling
 {
 namespace
 {
+using dem::Vector3;
+
+// Ribs do not touch the box: how far a node is in a side wall or the floor, and a rib that leaves
+// the box in the front wall above or below its slot, at most [m]. Not negative.
+double way_into_walls(const PullOut& experiment)
+{
+  const fem::ExplicitDynamics& ribs = experiment.world().geogrid()->dynamics();
+  const BoxParameters& box = experiment.parameters().box;
+  double into = 0;
+  for (int e = 0; e < ribs.lattice().n_elements(); ++e) {
+    const fem::RibSection& shape = ribs.lattice().shape(e);
+    const bool across = std::abs((ribs.lattice().element(e).frame * Vector3::UnitX()).y()) > 0.5;
+    const double beside = across ? 0 : 0.5 * shape.width, below = 0.5 * shape.thickness;
+    const Vector3 a = ribs.end_position(e, 0), b = ribs.end_position(e, 1);
+    for (const Vector3& x : {a, b})
+      if (x.x() > 0)
+        into = std::max(
+            {into, std::abs(x.y() - 0.5 * box.width) + beside - 0.5 * box.width, below - x.z()});
+    if (a.x() * b.x() >= 0) continue;
+    const double height = (b.x() * a.z() - a.x() * b.z()) / (b.x() - a.x()); // in the wall's plane
+    into = std::max(into,
+                    std::abs(height - experiment.geogrid_height()) + below - 0.5 * box.slot_height);
+  }
+  return into;
+}
+
 void describe_pull(const PullStage& pull, const PullOut& experiment,
                    nlohmann::ordered_json& results)
 {
@@ -40,6 +66,7 @@ void describe_pull(const PullStage& pull, const PullOut& experiment,
   results["peak_pull_force_between_records_N"] = *raw_peak;
   results["largest_axial_force_in_a_rib_N"] = pull.largest_axial_force;
   results["largest_stretch_of_a_rib"] = pull.largest_stretch;
+  results["ribs_in_walls_at_end_m"] = way_into_walls(experiment);
   results["mean_surface_height_after_pull_m"] =
       surface_height(world.engine.clumps(), experiment.parameters().box);
   results["smallest_stable_step_s"] = pull.smallest_stable_step;
@@ -83,7 +110,7 @@ void describe_usability(const PullStage& pull, const PullOut& experiment, Summar
                    protocol::usable_overlap,
                    pull.wedge.empty() ? "a wedged stone?" : "wedged: " + pull.wedge)},
       {pull.stretch_left_at, true,
-       fmt::format("a rib is stretched by more than {:.2g} %, and ribs here never yield",
+       fmt::format("a rib is stretched by more than {:.2g} %, the largest strain of data sheets",
                    100 * protocol::usable_stretch)},
       {pull.record_displacements.back() > at_wall ? std::max(0., at_wall) : -1, false,
        "the second transverse rib squeezes stones against the front wall"}};
@@ -142,6 +169,7 @@ void describe_packing(const PullOut& experiment, RunRecords& records)
   nlohmann::ordered_json& results = records.summary.results;
   results["rigid"] = p.geogrid.rigid;
   results["placement"] = p.geogrid.placement;
+  if (p.geogrid.product) results["product"] = p.geogrid.product->name;
   results["stones"] = stones(clumps);
   results["mass_in_box_kg"] = mass;
   const double above = mass_above(clumps, p.box, experiment.geogrid_height());

@@ -29,15 +29,13 @@ double mean_over_window(const std::vector<double>& position, const std::vector<d
 // Stones caught between the second transverse rib and the front wall carry the pull on their own.
 void warn_of_rib_at_wall(const PullOut& experiment, RunRecords& records)
 {
-  const GeogridParameters& g = experiment.parameters().geogrid;
   const double distance = experiment.parameters().pull.distance, size = experiment.mean_size;
   const double limit = experiment.displacement_of_rib_at_wall();
   if (distance > limit)
     records.warn(fmt::format(
         "From {:.1f} mm on the second transverse rib is nearer to the front wall than half a stone "
         "of {:.1f} mm: stones caught there raise the force; {:.1f} mm are left at the end.",
-        1e3 * std::max(0., limit), 1e3 * size,
-        1e3 * (g.pitch_along - g.overhang - g.rib_width - distance)));
+        1e3 * std::max(0., limit), 1e3 * size, 1e3 * (experiment.room_at_wall() - distance)));
 }
 
 // Where the pull leaves its bounds.
@@ -84,14 +82,16 @@ double largest_axial_force(const fem::ExplicitDynamics& dynamics)
   return largest;
 }
 
-// What resists the pull: of all longitudinal ribs together, of each transverse one. The lattice has
-// the longitudinal ones first (fem/layouts/biaxial_layout.h).
+// What resists the pull: of all longitudinal ribs together, of each transverse row.
 void append_loads_on_ribs(std::vector<History::Cell>& row, const PullOut& experiment)
 {
   const std::vector<double> loads = experiment.world().ribs.loads_on_lines();
-  const auto transverse = loads.begin() + experiment.parameters().geogrid.apertures_across + 1;
-  row.emplace_back(std::accumulate(loads.begin(), transverse, 0.));
-  row.insert(row.end(), transverse, loads.end());
+  const auto sum = [&](const std::vector<int>& lines) {
+    return std::accumulate(lines.begin(), lines.end(), 0.,
+                           [&](double sum, int line) { return sum + loads[line]; });
+  };
+  row.emplace_back(sum(experiment.sheet().along));
+  for (const std::vector<int>& lines : experiment.sheet().rows) row.emplace_back(sum(lines));
 }
 
 // Whether the step to come is the last one that is not beyond one of Output/Frames at. What it goes

@@ -16,19 +16,24 @@ namespace interlock::coupling
 namespace
 {
 // What made the stones and the lower half.
-const std::vector<std::string> fixed_always = {"Experiment",        "Gravity",
-                                               "Stones/",           "Box/Length",
-                                               "Box/Width",         "Box/Height",
-                                               "Filling/Seed",      "Filling/Lower bulk density",
-                                               "Geogrid/Placement", "Geogrid/Rib thickness"};
+const std::vector<std::string> fixed_always = {
+    "Experiment", "Gravity", "Stones/", "Box/Length", "Box/Width", "Box/Height", "Filling/Seed",
+    "Filling/Lower bulk density", "Geogrid/Placement", "Geogrid/Rib thickness",
+    // Where the underside of the geogrid is.
+    "Geogrid/Product", "Product/Rib thickness along", "Product/Rib thickness across",
+    "Product/Junction thickness", "Product/Junction reach"};
 // And what the stones lie around.
 const std::vector<std::string> fixed_by_geogrid = {
-    "Geogrid/Apertures along", "Geogrid/Apertures across", "Geogrid/Overhang",
-    "Geogrid/Pitch along",     "Geogrid/Pitch across",     "Geogrid/Rib width",
-    "Geogrid/Edge rounding",   "Geogrid/Elements per rib"};
+    "Geogrid/Apertures along",  "Geogrid/Apertures across",    "Geogrid/Overhang",
+    "Geogrid/Pitch along",      "Geogrid/Pitch across",        "Geogrid/Rib width",
+    "Geogrid/Edge rounding",    "Geogrid/Elements per rib",    "Geogrid/Cut width",
+    "Geogrid/Lattice file",     "Geogrid/Lattice length unit", "Product/Pattern",
+    "Product/Pitch along",      "Product/Pitch across",        "Product/Rib width along",
+    "Product/Rib width across", "Product/Elements per rib"};
 // What says nothing about the stones before the pull.
 const std::vector<std::string> without_effect_before_pull = {
-    "Unusual values", "Start from", "Pull/", "Output/", "Limits/", "Geogrid/Break strain"};
+    "Unusual values", "Start from",           "Pull/",       "Output/",
+    "Limits/",        "Geogrid/Break strain", "Product/Name"};
 // What matters from the placing of the geogrid on only.
 const std::vector<std::string> without_effect_before_geogrid = {"Unusual values",
                                                                 "Start from",
@@ -36,6 +41,7 @@ const std::vector<std::string> without_effect_before_geogrid = {"Unusual values"
                                                                 "Output/",
                                                                 "Limits/",
                                                                 "Geogrid/",
+                                                                "Product/",
                                                                 "Surcharge/",
                                                                 "Box/Slot height",
                                                                 "Filling/Drop height",

@@ -1,5 +1,7 @@
 #include "coupling/pull_out/wedge.h"
 
+#include "coupling/loop/rib_names.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,29 +60,10 @@ std::map<int, Squeezed> squeezed_stones(const World& world)
   return stones;
 }
 
-// "transverse rib 2": lines of the same direction are counted by where they begin.
-std::string name_of_line(const World& world, int line)
-{
-  const fem::Lattice& lattice = world.geogrid()->lattice();
-  std::map<int, Vector3> begins, directions;
-  for (int e = 0; e < lattice.n_elements(); ++e) {
-    const fem::LatticeElement& element = lattice.element(e);
-    if (!begins.emplace(element.line, lattice.reference_position(element.node[0])).second) continue;
-    directions[element.line] = element.frame * Vector3::UnitX();
-  }
-  const auto is_across = [&](int l) {
-    return std::abs(directions[l].y()) > std::abs(directions[l].x());
-  };
-  const int axis = is_across(line) ? 0 : 1;
-  int number = 1;
-  for (const auto& [other, begin] : begins)
-    number += is_across(other) == is_across(line) && begin[axis] < begins[line][axis];
-  return fmt::format("{} rib {}", is_across(line) ? "transverse" : "longitudinal", number);
-}
-
 std::string name_of(const World& world, Partner partner)
 {
-  if (partner.first == Kind::line) return name_of_line(world, static_cast<int>(partner.second));
+  if (partner.first == Kind::line)
+    return name_of_line(world.geogrid()->lattice(), static_cast<int>(partner.second));
   if (partner.first == Kind::wall)
     return "the wall '" + world.engine.wall(partner.second).name + "'";
   return fmt::format("stone {}", partner.second);

@@ -1,5 +1,6 @@
 #include "coupling/run/physics_limits.h"
 
+#include "coupling/loop/rib_names.h"
 #include "coupling/run/run_failure.h"
 
 #include <fmt/format.h>
@@ -81,11 +82,13 @@ void check_geogrid(const World& world, const PhysicsLimits& limits)
   if (stretch.strain <= limits.break_strain) return;
   const Vector3 x =
       0.5 * (dynamics.end_position(stretch.element, 0) + dynamics.end_position(stretch.element, 1));
-  throw RunFailure(fmt::format("A rib breaks {}: element {} at {} is stretched by {:.3g} %, above "
-                               "Geogrid/Break strain of {:.3g} %. What was pulled up to here is in "
-                               "history.csv.",
-                               when(world), stretch.element, at(x), 100 * stretch.strain,
-                               100 * limits.break_strain));
+  const fem::Lattice& lattice = dynamics.lattice();
+  throw RunFailure(
+      fmt::format("A rib breaks {}: {}, element {} at {}, is stretched by {:.3g} %, "
+                  "above Geogrid/Break strain of {:.3g} %. What was pulled up to here "
+                  "is in history.csv.",
+                  when(world), name_of_line(lattice, lattice.element(stretch.element).line),
+                  stretch.element, at(x), 100 * stretch.strain, 100 * limits.break_strain));
 }
 
 void check_step(const World& world)
@@ -107,7 +110,8 @@ Stretch largest_stretch(const World& world)
   const fem::ExplicitDynamics& dynamics = world.geogrid()->dynamics();
   const fem::Lattice& lattice = dynamics.lattice();
   for (int e = 0; e < lattice.n_elements(); ++e) {
-    const double strain = dynamics.section_forces(e).axial / lattice.section(e).axial;
+    const double strain =
+        dynamics.section_forces(e).axial / lattice.section(e).axial + dynamics.plastic_stretch(e);
     if (strain > largest.strain) largest = {strain, e};
   }
   return largest;

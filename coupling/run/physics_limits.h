@@ -22,8 +22,8 @@ struct PhysicsLimits {
 // finite or a limit is passed. Costs about as much as ten steps of a packed box.
 void check_physics(const World& world, const PhysicsLimits& limits);
 
-// Largest stretch of a rib that is pulled, axial force over axial stiffness [-], and its element;
-// zero without a geogrid.
+// Largest stretch of a rib that is pulled, axial force over axial stiffness and what is plastic
+// [-], and its element; zero without a geogrid.
 struct Stretch {
   double strain = 0;
   int element = -1;

@@ -237,7 +237,9 @@ void ExplicitDynamics::set_state(const LatticeState& state)
   require_size(state.spin.size(), n, "spin");
   if (!options_.spherical_inertia)
     require_size(state.angular_momentum.size(), n, "angular momentum");
-  if (softens_)
+  // Ribs that were linear before have no plastic stretch.
+  const bool has_stretch = softens_ && !state.plastic_stretch.empty();
+  if (has_stretch)
     require_size(state.plastic_stretch.size(), lattice_.n_elements(), "plastic stretch",
                  "elements");
   const auto to_slots = [this](const std::vector<double>& from, const char* name, Lane& lane) {
@@ -260,9 +262,10 @@ void ExplicitDynamics::set_state(const LatticeState& state)
     orientation_[0][s] = q.w();
   }
   largest_plastic_stretch_ = 0;
-  for (int e = 0; softens_ && e < lattice_.n_elements(); ++e) {
-    beams_.plastic_stretch[element_slot_[e]] = state.plastic_stretch[e];
-    largest_plastic_stretch_ = std::max(largest_plastic_stretch_, state.plastic_stretch[e]);
+  for (int e = 0; e < lattice_.n_elements(); ++e) {
+    const double stretch = has_stretch ? state.plastic_stretch[e] : 0;
+    beams_.plastic_stretch[element_slot_[e]] = stretch;
+    largest_plastic_stretch_ = std::max(largest_plastic_stretch_, stretch);
   }
   previous_step_ = state.previous_step;
   largest_force_ = state.largest_force;

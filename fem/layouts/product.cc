@@ -22,9 +22,11 @@ std::vector<RibLine> with_sections(std::vector<RibLine> lines, int n_first, cons
   return lines;
 }
 
-std::vector<RibLine> biaxial_lines(const GeogridProduct& product, int along, int across)
+std::vector<RibLine> biaxial_lines(const GeogridProduct& product, int along, int across,
+                                   const Eigen::Vector3d& front)
 {
   BiaxialLayout layout;
+  layout.origin = front;
   layout.apertures_along = along;
   layout.apertures_across = across;
   layout.pitch_along = product.pitch_along;
@@ -35,9 +37,11 @@ std::vector<RibLine> biaxial_lines(const GeogridProduct& product, int along, int
   return with_sections(rib_lines(layout), across + 1, product.ribs_along, product.ribs_across);
 }
 
-std::vector<RibLine> uniaxial_lines(const GeogridProduct& product, int along, int across)
+std::vector<RibLine> uniaxial_lines(const GeogridProduct& product, int along, int across,
+                                    const Eigen::Vector3d& front)
 {
   UniaxialLayout layout;
+  layout.origin = front;
   layout.apertures_along = along;
   layout.apertures_across = across;
   layout.bar_pitch = product.pitch_along;
@@ -48,9 +52,11 @@ std::vector<RibLine> uniaxial_lines(const GeogridProduct& product, int along, in
   return with_sections(rib_lines(layout), across + 1, product.ribs_along, product.ribs_across);
 }
 
-std::vector<RibLine> triaxial_lines(const GeogridProduct& product, int along, int across)
+std::vector<RibLine> triaxial_lines(const GeogridProduct& product, int along, int across,
+                                    const Eigen::Vector3d& front)
 {
   TriaxialLayout layout;
+  layout.origin = front;
   layout.side = product.pitch_across;
   layout.length = along * product.pitch_along;
   layout.width = across * product.pitch_across;
@@ -79,12 +85,19 @@ GeogridProduct turned(const GeogridProduct& product)
   return other;
 }
 
-Lattice piece(const GeogridProduct& product, int apertures_along, int apertures_across)
+std::vector<RibLine> lines_of_piece(const GeogridProduct& product, int apertures_along,
+                                    int apertures_across, const Eigen::Vector3d& front)
 {
   const auto lines_of = product.pattern == Pattern::biaxial    ? biaxial_lines
                         : product.pattern == Pattern::uniaxial ? uniaxial_lines
                                                                : triaxial_lines;
-  std::vector<RibLine> lines = lines_of(product, apertures_along, apertures_across);
+  return lines_of(product, apertures_along, apertures_across, front);
+}
+
+Lattice piece(const GeogridProduct& product, int apertures_along, int apertures_across)
+{
+  std::vector<RibLine> lines =
+      lines_of_piece(product, apertures_along, apertures_across, Eigen::Vector3d::Zero());
   if (product.junctions.reach > 0) lines = thicken_junctions(lines, product.junctions);
   return Lattice(std::move(lines), product.junction_stiffness);
 }

@@ -4,7 +4,10 @@
 #include "fem/lattice/lattice.h"
 #include "fem/layouts/junction_zones.h"
 
+#include <Eigen/Dense>
+
 #include <string>
+#include <vector>
 
 namespace interlock::fem
 {
@@ -32,9 +35,14 @@ struct GeogridProduct {
 // Throws std::invalid_argument for a product that is not biaxial.
 GeogridProduct turned(const GeogridProduct& product);
 
-// A piece of whole apertures (triaxial: triangle heights and sides) that starts at x = 0; its
-// middle lies at y = 0, z = 0. Throws std::invalid_argument when a number, a pitch or a section is
-// not valid.
+// The rib lines of a piece of whole apertures (triaxial: triangle heights and sides), without
+// thicker zones. `front` is the middle of its first transverse rib [m]; the piece lies behind it
+// along x, in a plane of equal z. Throws std::invalid_argument when a number, a pitch or a section
+// is not valid.
+std::vector<RibLine> lines_of_piece(const GeogridProduct& product, int apertures_along,
+                                    int apertures_across, const Eigen::Vector3d& front);
+
+// Such a piece that starts at the origin, with its thicker zones.
 Lattice piece(const GeogridProduct& product, int apertures_along, int apertures_across);
 
 // Distance of the first and the last row of its junctions along x [m].

@@ -1,9 +1,9 @@
 // Bad parameter files. Each test states one slip that a user makes and the words that must be in
 // the answer: the place, the entry, the value and what to write instead. It takes an error that is
 // not found, is found alone where there are several, or does not say where it is, to fail.
-#include "apps/case_templates.h"
 #include "apps/parameter_file.h"
 #include "dem/input_error.h"
+#include "tests/pull_out_text.h"
 #include "tests/temporary_folder.h"
 
 #include <boost/algorithm/string.hpp>
@@ -22,7 +22,7 @@ protected:
   void SetUp() override
   {
     TemporaryFolderTest::SetUp();
-    write("good.prm", apps::pull_out_template());
+    write("good.prm", pull_out_by_entries());
   }
 
   // The sentences about a file, which must be bad.
@@ -51,7 +51,7 @@ protected:
   std::vector<std::string> errors_after(const std::string& line,
                                         const std::string& replacement) const
   {
-    std::string text = apps::pull_out_template();
+    std::string text = pull_out_by_entries();
     const auto begin = text.find("  " + line);
     EXPECT_NE(begin, std::string::npos);
     text.replace(begin, text.find('\n', begin) - begin, replacement);
@@ -70,7 +70,7 @@ void expect_words(const std::vector<std::string>& errors, const std::vector<std:
 // The line of the template that starts with these words.
 int line_of(const std::string& start)
 {
-  const std::string text = apps::pull_out_template();
+  const std::string text = pull_out_by_entries();
   return 1 +
          static_cast<int>(std::count(text.begin(), text.begin() + text.find("  " + start), '\n'));
 }
@@ -195,7 +195,7 @@ TEST_F(BadParameterFile, BrokenLinesAreNamed)
 // Every other line behind the gap would be an entry of the wrong section.
 TEST_F(BadParameterFile, OneMissingEndIsOneError)
 {
-  std::string text = apps::pull_out_template();
+  std::string text = pull_out_by_entries();
   const auto end = text.find("\nend\n");
   text.erase(end + 1, 4);
   expect_words(errors(write("bad.prm", text)), {"bad.prm, line ", "\"Stones\" has no \"end\""});

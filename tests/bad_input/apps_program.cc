@@ -85,7 +85,7 @@ TEST_F(Program, RefusesAFileThatLacksAPhysicalValue)
   ASSERT_NE(begin, std::string::npos);
   std::ofstream(folder / "lacks.prm") << out.erase(begin, line.size());
   run("run ../lacks.prm");
-  expect_refusal({"../lacks.prm", "\"Geogrid/Density\" is missing", "in kg/m3"});
+  expect_refusal({"../lacks.prm", "\"Product/Density\" is missing", "in kg/m3"});
 }
 
 TEST_F(Program, RefusesAMissingFolderOfScans)
@@ -97,14 +97,14 @@ TEST_F(Program, RefusesAMissingFolderOfScans)
 TEST_F(Program, RefusesAGeogridLargerThanTheBox)
 {
   run("run " + quick + " --set 'Box/Width=0.19'");
-  expect_refusal({"\"Geogrid/Apertures across\"", "0.2 m wide", "0.19 m wide"});
+  expect_refusal({"\"Geogrid/Apertures across\"", "0.199 m wide", "0.19 m wide"});
 }
 
 TEST_F(Program, RefusesABoxInWhichAStoneDoesNotFit)
 {
   run("run " + quick +
       " --set Box/Width=0.05 --set 'Geogrid/Apertures across=1' "
-      "--set 'Geogrid/Pitch across=0.04' --set Stones/Count=2");
+      "--set 'Product/Pitch across=0.04' --set Stones/Count=2");
   EXPECT_EQ(code, 2) << err;
   EXPECT_NE(err.find("m across, but the box is only 0.05 m wide"), std::string::npos) << err;
   EXPECT_TRUE(fs::is_empty(folder / "work")) << "something was written";

@@ -34,6 +34,13 @@ import compare_runs  # noqa: E402
 SMALL = ROOT / "tests/reliability/small.prm"
 PACKING = ROOT / "cases/benchmark/w1.prm"
 THROWN = ["Time/Warm-up steps=0", "Packing/Throw speed=1", "Packing/Throw spin=30"]
+# Weak triangles, which yield in a small box.
+TRIANGLES = [f"Geogrid/Product={ROOT / 'cases/geogrids/tx160.prm'}", "Geogrid/Elements per rib=8",
+             "Product/Elements per rib=3", "Product/Junction reach=0"] + [
+    f"Geogrid/{name}=0" for name in ("Pitch along", "Pitch across", "Rib width", "Rib thickness", "Youngs modulus",
+                                     "Poisson ratio", "Density")] + [
+    f"Product/{name} {direction}={value}" for direction in ("along", "across") for name, value in (
+        ("Youngs modulus", 0), ("Stiffness at 2 %", 2e4), ("Stiffness at 5 %", 1.6e4), ("Strength", 1e3))]
 TRIAXIAL = ("triaxial, between walls that keep a pressure", HERE / "cases/triaxial.prm", [])
 # Name, parameter file, entries. What each of them is there for is in its name.
 FIXED = [
@@ -47,6 +54,8 @@ FIXED = [
       "Filling/Upper bulk density=1100", "Pull/Distance=0.001"]),
     ("pull-out, shared contacts", SMALL, ["Contact/Share among contacts=true", "Pull/Distance=0.002"]),
     ("pull-out, stones crush", SMALL, ["Contact/Crushing pressure=2e7", "Pull/Distance=0.002"]),
+    ("pull-out, triangles that soften and yield, cut off beside the last ones", SMALL, TRIANGLES + [
+        "Geogrid/Apertures along=3", "Geogrid/Apertures across=2", "Geogrid/Cut width=0.134", "Pull/Distance=0.002"]),
     ("heap, rolling, on triangles", HERE / "cases/heap.prm", []),
     ("shear box, below a plate that keeps its force", HERE / "cases/shear_box.prm", []),
     TRIAXIAL,

@@ -4,6 +4,7 @@
 #include "coupling/loop/rib_transfer.h"
 #include "dem/engine/engine.h"
 #include "dem/random_stream.h"
+#include "tests/laid_geogrid.h"
 
 #include <benchmark/benchmark.h>
 
@@ -61,9 +62,9 @@ dem::Engine settled_stones()
 
 static void beam_step(benchmark::State& state)
 {
-  coupling::RibTransfer grid = coupling::RibTransfer::biaxial(
-      geogrid(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))), Vector3::Zero(),
-      9.81);
+  coupling::RibTransfer grid =
+      laid_geogrid(geogrid(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))),
+                   Vector3::Zero(), 9.81);
   for (auto _ : state) grid.dynamics().step(1e-6);
   state.counters["elements"] = grid.lattice().n_elements();
 }

@@ -12,6 +12,7 @@
 #include "apps/template_command.h"
 #include "coupling/parameters/usual_ranges.h"
 #include "dem/input_error.h"
+#include "tests/pull_out_text.h"
 #include "tests/temporary_folder.h"
 
 #include <boost/algorithm/string.hpp>
@@ -33,7 +34,7 @@ protected:
   void SetUp() override
   {
     TemporaryFolderTest::SetUp();
-    write("base.prm", apps::pull_out_template());
+    write("base.prm", pull_out_by_entries());
   }
 
   static coupling::PullOutParameters pull_out(const fs::path& file,
@@ -47,7 +48,7 @@ protected:
 
 TEST_F(ParameterFile, TemplateIsTheTestOfThePaper)
 {
-  const auto p = pull_out(folder / "base.prm");
+  const auto p = pull_out(write("template.prm", apps::pull_out_template()));
   EXPECT_EQ(p.contact.stone_stiffness, 6e7); // Table 6
   EXPECT_EQ(p.contact.box_stiffness, 6e7);
   EXPECT_EQ(p.geogrid_contact.stiffness, 0); // of the material
@@ -62,7 +63,15 @@ TEST_F(ParameterFile, TemplateIsTheTestOfThePaper)
   // About 36 kg at 1500 kg/m3 (section 4) fill the box.
   EXPECT_NEAR(p.box.length * p.box.width * p.box.height, 36. / 1500, 1e-4);
   EXPECT_FALSE(p.geogrid.rigid);
-  EXPECT_EQ(p.geogrid.pitch_along, 0.065);
+  ASSERT_TRUE(p.geogrid.product);
+  EXPECT_EQ(p.geogrid.product->pitch_along, 0.065);
+  // It says itself what the case says by the product's file.
+  EXPECT_EQ(p.geogrid.product_file, "");
+  const auto named = pull_out(cases / "pullout.prm");
+  EXPECT_EQ(fs::path(named.geogrid.product_file), cases.parent_path() / "geogrids/ssla30.prm");
+  EXPECT_EQ(p.geogrid.product->name, "SSLA30");
+  EXPECT_EQ(p.geogrid.product->along.stiffness_2, named.geogrid.product->along.stiffness_2);
+  EXPECT_EQ(p.geogrid.product->junction_thickness, named.geogrid.product->junction_thickness);
 }
 
 TEST_F(ParameterFile, QuickCaseIsTheSameTestPulledFaster)
@@ -71,7 +80,8 @@ TEST_F(ParameterFile, QuickCaseIsTheSameTestPulledFaster)
   const auto quick = pull_out(cases / "quick.prm");
   EXPECT_EQ(quick.pull.speed, 10 * full.pull.speed);
   EXPECT_EQ(quick.pull.distance, 0.02);
-  EXPECT_EQ(quick.geogrid.youngs_modulus, full.geogrid.youngs_modulus);
+  ASSERT_TRUE(quick.geogrid.product && full.geogrid.product);
+  EXPECT_EQ(quick.geogrid.product->along.stiffness_2, full.geogrid.product->along.stiffness_2);
   EXPECT_EQ(quick.geogrid_contact.friction, full.geogrid_contact.friction);
 }
 
@@ -119,6 +129,37 @@ TEST_F(ParameterFile, FolderOfStonesIsRelativeToTheFileThatNamesIt)
   const auto p = pull_out(file);
   EXPECT_EQ(fs::canonical(p.stones.folder), fs::canonical(folder / "scans"));
   EXPECT_TRUE(fs::path(p.stones.folder).is_absolute());
+}
+
+// A product's file says what the ribs are; the case may change some of it, and used.prm holds all
+// of it.
+TEST_F(ParameterFile, ProductIsReadFromItsFileAndChangedByTheCase)
+{
+  fs::create_directories(folder / "products");
+  write("products/mine.prm", "set Experiment = laboratory\nsubsection Product\n"
+                             "  set Pitch along = 0.065\n  set Pitch across = 0.06\n"
+                             "  set Rib width along = 0.004\n  set Rib thickness along = 0.002\n"
+                             "  set Rib width across = 0.004\n  set Rib thickness across = 0.001\n"
+                             "  set Youngs modulus along = 4e9\n  set Youngs modulus across = 5e9\n"
+                             "  set Poisson ratio = 0.4\n  set Density = 900\nend\n"
+                             "subsection Laboratory\n  set Test = modes\nend\n");
+  const auto file = write(
+      "case.prm", "include base.prm\nsubsection Geogrid\n  set Product = products/mine.prm\n"
+                  "  set Pitch along = 0\n  set Pitch across = 0\n  set Rib width = 0\n"
+                  "  set Rib thickness = 0\n  set Youngs modulus = 0\n  set Poisson ratio = 0\n"
+                  "  set Density = 0\nend\nsubsection Product\n  set Density = 950\nend\n");
+  const auto input = apps::read_parameter_file(file, {"Product/Youngs modulus across=6e9"});
+  const auto p = std::get<coupling::PullOutParameters>(input.parameters);
+  ASSERT_TRUE(p.geogrid.product);
+  EXPECT_EQ(fs::path(p.geogrid.product_file), folder / "products/mine.prm");
+  EXPECT_EQ(p.geogrid.product->pitch_across, 0.06);
+  EXPECT_EQ(p.geogrid.product->across.thickness, 0.001);
+  EXPECT_EQ(p.geogrid.product->density, 950);
+  EXPECT_EQ(p.geogrid.product->along.youngs_modulus, 4e9);
+  EXPECT_EQ(p.geogrid.product->across.youngs_modulus, 6e9);
+  const auto again = apps::read_parameter_file(write("used.prm", input.used));
+  EXPECT_EQ(again.used, input.used);
+  EXPECT_FALSE(pull_out(folder / "base.prm").geogrid.product);
 }
 
 TEST_F(ParameterFile, LaboratoryIsKnownByItsFormerNameToo)

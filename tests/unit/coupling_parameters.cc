@@ -47,6 +47,8 @@ PullOutParameters fitting_parameters()
   p.geogrid.rib_width = 0.005;
   p.geogrid.rib_thickness = 0.0025;
   p.geogrid.edge_rounding = 0.00125;
+  p.geogrid.youngs_modulus = 2.4e9;
+  p.geogrid.density = 910;
   p.surcharge = {"spheres", 500, 0.045};
   p.pull = {0.01, 0.05, 0.05};
   return p;
@@ -88,6 +90,8 @@ TEST_F(Entries, FillOneMemberEach)
       {"Contact/Tangential ratio", &p.contact.tangential_ratio},
       {"Contact/Damping ratio", &p.contact.damping_ratio},
       {"Contact/Geogrid damping ratio", &p.geogrid_contact.damping_ratio},
+      {"Geogrid/Lattice length unit", &p.geogrid.lattice_length_unit},
+      {"Geogrid/Cut width", &p.geogrid.cut_width},
       {"Geogrid/Overhang", &p.geogrid.overhang},
       {"Geogrid/Pitch along", &p.geogrid.pitch_along},
       {"Geogrid/Pitch across", &p.geogrid.pitch_across},
@@ -126,8 +130,8 @@ TEST_F(Entries, FillOneMemberEach)
       {"Output/Records", &p.output.records},
       {"Output/Field frames", &p.output.field_frames}};
   // Kind, 2 seeds, 3 truth values, folder, placement, mass properties, order, state to start from,
-  // displacements of frames.
-  const std::size_t others = 12;
+  // product, lattice file, displacements of frames.
+  const std::size_t others = 14;
   EXPECT_EQ(table.entries().size(), numbers.size() + counts.size() + others);
 
   // A different value for each, inside every range; only then are they compared.
@@ -236,6 +240,10 @@ TEST_F(Entries, HaveDefaultsOnlyWherePhysicsDoesNotDependOnThem)
                                                  "Output/Checkpoint interval",
                                                  "Limits/Overlap",
                                                  "Geogrid/Break strain",
+                                                 "Geogrid/Product",
+                                                 "Geogrid/Lattice file",
+                                                 "Geogrid/Lattice length unit",
+                                                 "Geogrid/Cut width",
                                                  "Start from",
                                                  "Geogrid/Elements per rib",
                                                  "Output/Field frames",
@@ -270,6 +278,9 @@ TEST(CheckParameters, NamesTheEntryOfEachContradiction)
          p.box.width = 0.3;
          p.box.length = 0.5;
        }},
+      {"Geogrid/Youngs modulus", [](auto& p) { p.geogrid.youngs_modulus = 0; }},
+      {"Geogrid/Cut width", [](auto& p) { p.geogrid.cut_width = 0.19; }},
+      {"Geogrid/Cut width", [](auto& p) { p.geogrid.cut_width = 0.201; }},
       {"Surcharge/Sphere radius", [](auto& p) { p.surcharge.sphere_radius = 0; }},
       {"Surcharge/Sphere radius", [](auto& p) { p.surcharge.sphere_radius = 0.11; }},
       {"Pull/Distance", [](auto& p) { p.pull.distance = 0.4; }},

@@ -3,6 +3,7 @@
 #include "coupling/loop/rib_transfer.h"
 
 #include "dem/random_stream.h"
+#include "tests/laid_geogrid.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ TEST(RibTransfer, ClampCarriesTheForcesOfTheStones)
 {
   coupling::GeogridParameters p = small_geogrid();
   p.rigid = true;
-  coupling::RibTransfer geogrid = coupling::RibTransfer::biaxial(p, Vector3::Zero(), 0);
+  coupling::RibTransfer geogrid = laid_geogrid(p, Vector3::Zero(), 0);
   dem::RandomStream random(2);
   Vector3 sum = Vector3::Zero();
   std::vector<dem::RodLoads> loads;
@@ -54,8 +55,7 @@ TEST(RibTransfer, ClampCarriesTheForcesOfTheStones)
 // are those of the impulses, to rounding.
 TEST(RibTransfer, ForceAndMomentReachTheNodes)
 {
-  coupling::RibTransfer geogrid =
-      coupling::RibTransfer::biaxial(small_geogrid(), Vector3(-0.05, 0.01, 0.02), 0);
+  coupling::RibTransfer geogrid = laid_geogrid(small_geogrid(), Vector3(-0.05, 0.01, 0.02), 0);
   fem::ExplicitDynamics& d = geogrid.dynamics();
   d.clamp({});
   dem::RandomStream random(3);
@@ -92,8 +92,7 @@ TEST(RibTransfer, ForceAndMomentReachTheNodes)
 // in the plane of the geogrid, square to the rib.
 TEST(RibTransfer, RibsFollowTheLattice)
 {
-  coupling::RibTransfer geogrid =
-      coupling::RibTransfer::biaxial(small_geogrid(), Vector3::Zero(), 9.81);
+  coupling::RibTransfer geogrid = laid_geogrid(small_geogrid(), Vector3::Zero(), 9.81);
   const fem::Lattice& lattice = geogrid.lattice();
   const std::vector<dem::Rib> unloaded = geogrid.ribs().all();
   ASSERT_EQ(static_cast<int>(unloaded.size()), lattice.n_elements());
