@@ -7,7 +7,6 @@ import os
 import numpy as np
 
 
-
 class InputError(Exception):
     """The folder that the user named cannot be drawn; the text is one full sentence."""
 

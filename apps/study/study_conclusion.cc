@@ -35,7 +35,7 @@ void conclude(const Plan& plan, const std::function<void(const std::string&)>& s
   };
   const auto done = count("done"), all = static_cast<std::ptrdiff_t>(table.rows.size());
   if (done + count("not usable") > 0) {
-    const ScriptResult figures = run_figure_script("study_figures.py", plan.folder.string());
+    const ScriptResult figures = run_figure_script("study_figures.py", {plan.folder.string()});
     if (figures.status != 0) say("warning: the figures could not be drawn: " + figures.reason);
   }
   for (const RunRow& row : table.rows)

@@ -51,9 +51,15 @@ std::vector<NamedMesh> synthetic(const StoneParameters& parameters)
   return meshes;
 }
 
-Stone make_stone(const dem::TriangleMesh& mesh, const dem::ClumpParameters& parameters)
+dem::TriangleMesh in_body_frame(dem::TriangleMesh mesh, const dem::ClumpReport& report)
 {
-  dem::ClumpReport report;
+  for (dem::Vector3& x : mesh.vertices) x = report.rotation.conjugate() * (x - report.origin);
+  return mesh;
+}
+
+Stone make_stone(const dem::TriangleMesh& mesh, const dem::ClumpParameters& parameters,
+                 dem::ClumpReport& report)
+{
   Stone stone;
   stone.shape = dem::make_clump(mesh, parameters, &report);
   stone.axes = report.rotation;
@@ -101,7 +107,8 @@ bool holds_clumps(const StoneParameters& parameters)
   return !parameters.folder.empty() && !dem::clump_files(parameters.folder).empty();
 }
 
-std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor)
+std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor,
+                               std::vector<dem::TriangleMesh>* surfaces)
 {
   if (holds_clumps(parameters)) return read_clumps(dem::clump_files(parameters.folder));
   const std::vector<NamedMesh> meshes =
@@ -121,12 +128,14 @@ std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor&
     if (monitor.progress)
       monitor.progress({"stones", static_cast<double>(stones.size()) / meshes.size(), 0, 0});
     clump.seed = parameters.seed + stones.size();
+    dem::ClumpReport report;
     try {
-      stones.push_back(make_stone(scan.mesh, clump));
+      stones.push_back(make_stone(scan.mesh, clump, report));
     } catch (const InputError& error) {
       throw InputError("Stone " + scan.name + ": " + error.what());
     }
     stones.back().shape.name = scan.name;
+    if (surfaces) surfaces->push_back(in_body_frame(scan.mesh, report));
   }
   return stones;
 }

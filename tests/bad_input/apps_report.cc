@@ -137,7 +137,7 @@ TEST_F(Report, RefusesAFolderWithNothingToDraw)
 
 TEST_F(Report, NamesTheFoldersWhereAScriptIsNot)
 {
-  const apps::ScriptResult result = apps::run_figure_script("no_such_script.py", "x");
+  const apps::ScriptResult result = apps::run_figure_script("no_such_script.py", {"x"});
   EXPECT_EQ(result.status, 127);
   EXPECT_EQ(result.reason.find("the script no_such_script.py is in none of the folders "), 0u);
   for (const fs::path& place : apps::script_folders())
