@@ -67,3 +67,17 @@ def open_series(run, name):
         return None
     series = Series(path)
     return series if len(series) else None
+
+
+def section_force_of_test(series, frame, test):
+    """Name and values of the section force that says most about a laboratory test; None for modes, which have none."""
+    fields = {"axial force [N]": ("axial_force", 1), "in-plane moment [N mm]": ("moment_in_plane", 1e3),
+              "out-of-plane moment [N mm]": ("moment_out_of_plane", 1e3)}
+    if test == "modes":
+        return None
+    values = {name: scale * series.attribute(frame, field) for name, (field, scale) in fields.items()}
+    first = test.split()[0]
+    name = {"wide-width": "axial force [N]", "single-rib": "axial force [N]",
+            "aperture": "in-plane moment [N mm]",
+            "supports": max(values, key=lambda n: np.abs(values[n]).max())}.get(first, "out-of-plane moment [N mm]")
+    return name, values[name]

@@ -14,3 +14,6 @@ ENERGIES = {
     "contact_damping": (COLOURS[4], "--"), "local_damping": (COLOURS[3], "-."), "geogrid_damping": (COLOURS[4], ":"),
     "clamp_work": (COLOURS[6], "--"), "wall_work": (COLOURS[6], "-."), "inserted": (COLOURS[6], ":"),
 }
+
+# Dashes by style, in pixels, for charts in a page.
+DASHES = {"-": [], "--": [6, 3], "-.": [7, 3, 2, 3], ":": [2, 3]}

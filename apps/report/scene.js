@@ -1,0 +1,105 @@
+// Camera, light, outlines of walls, views. Draws when something has changed, not all the time.
+class Scene {
+  constructor(canvas, low, high) {
+    this.canvas = canvas;
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false});
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(28, 1, 0.005, 100);
+    this.camera.up.set(0, 0, 1);
+    this.middle = new THREE.Vector3(...low).add(new THREE.Vector3(...high)).multiplyScalar(0.5);
+    this.radius = 0.5 * new THREE.Vector3(...high).distanceTo(new THREE.Vector3(...low));
+    this.half = new THREE.Vector3(...high).sub(this.middle);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8175, 0.62));
+    this.lamp = new THREE.DirectionalLight(0xffffff, 0.55);
+    this.scene.add(this.lamp, this.lamp.target);
+    this.controls = new THREE.OrbitControls(this.camera, canvas);
+    this.controls.enableKeys = false;
+    this.controls.addEventListener("change", () => this.draw());
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.dress();
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.dress(); this.draw(); });
+  }
+
+  dress() {
+    this.scene.background = new THREE.Color(style("sky"));
+    if (this.walls) this.walls.material.color.set(style("wall"));
+  }
+
+  resize() {
+    const {clientWidth: width, clientHeight: height} = this.canvas;
+    if (!width || !height) return;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (this.viewName) this.view(this.viewName);
+    this.draw();
+  }
+
+  // side: along y; front: from the front wall along x; top; angle.
+  view(name) {
+    const towards = {side: [0, -1, 0], front: [-1, 0, 0], top: [0, -1e-4, 1], angle: [-0.45, -1, 0.42]}[name];
+    const direction = new THREE.Vector3(...towards).normalize();
+    this.controls.target.copy(this.middle);
+    this.camera.position.copy(this.middle).addScaledVector(direction, 1);
+    this.camera.lookAt(this.middle);
+    this.camera.updateMatrixWorld();
+    this.camera.position.addScaledVector(direction, this.distance(direction) - 1);
+    this.controls.update();
+    this.viewName = name;
+    this.draw();
+  }
+
+  // From where all corners of the box are in the picture.
+  distance() {
+    const tangent = Math.tan((this.camera.fov * Math.PI) / 360) * 0.92, inverse = this.camera.quaternion.clone().inverse();
+    let distance = 0;
+    for (const x of [-1, 1]) for (const y of [-1, 1]) for (const z of [-1, 1]) {
+      const corner = new THREE.Vector3(x, y, z).multiply(this.half).applyQuaternion(inverse);
+      const most = Math.max(Math.abs(corner.x) / this.camera.aspect, Math.abs(corner.y));
+      distance = Math.max(distance, corner.z + most / tangent);
+    }
+    return distance;
+  }
+
+  // Outlines of walls, cut at the box of the view: `corners` holds x, y, z of four corners.
+  setWalls(walls, frame) {
+    if (!this.walls) {
+      this.walls = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: style("wall")}));
+      this.walls.frustumCulled = false;
+      this.scene.add(this.walls);
+    }
+    const points = [];
+    const clamp = (value, c) => Math.min(Math.max(value, this.middle.getComponent(c) - this.half.getComponent(c)),
+                                         this.middle.getComponent(c) + this.half.getComponent(c));
+    for (const wall of walls) {
+      const all = wall.corners[frame];
+      const corner = (k) => [0, 1, 2].map((c) => clamp(all[3 * (k % 4) + c], c));
+      for (let k = 0; k < 4; ++k) points.push(...corner(k), ...corner(k + 1));
+    }
+    this.walls.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(points), 3));
+  }
+
+  draw() {
+    if (this.drawing) return;
+    this.drawing = requestAnimationFrame(() => this.drawNow());
+  }
+
+  drawNow() {
+    cancelAnimationFrame(this.drawing);
+    this.drawing = 0;
+    // The light comes over the left shoulder of whoever looks.
+    this.lamp.target.position.copy(this.controls.target);
+    this.lamp.position.set(-0.6, 0.8, 0.7).applyQuaternion(this.camera.quaternion).multiplyScalar(this.radius * 4)
+      .add(this.controls.target);
+    this.renderer.render(this.scene, this.camera);
+    if (window.firstPicture === undefined) window.firstPicture = performance.now();
+  }
+
+  // Where the ray through a place of the canvas [px] goes.
+  ray(x, y) {
+    const {clientWidth: width, clientHeight: height} = this.canvas, caster = new THREE.Raycaster();
+    caster.setFromCamera(new THREE.Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
+    return caster.ray;
+  }
+}

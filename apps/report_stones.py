@@ -1,0 +1,153 @@
+"""The stones of a run for its page: which there are, what they look like, where they are in each frame.
+
+Frames hold member spheres; which stone has which shape stands in the states on disk (docs/checkpoint_format.md), and
+a stone's attitude is the rotation that takes the spheres of its shape to those of the frame. Needs h5py.
+"""
+
+import json
+import os
+
+import h5py
+import numpy as np
+
+# Newest first; older ones know stones that have left the box since.
+STATES = ["checkpoint.h5", "checkpoint.previous.h5", "state_at_failure.h5", "state_before_pull.h5",
+          "state_before_geogrid.h5"]
+CLUMPS = "state/world/engine/clumps"
+
+
+class NoReplay(Exception):
+    """There is nothing to replay; the text is one full sentence."""
+
+
+class Stones:
+    """Every stone that a state on disk knows, ids ascending, and the shapes they share."""
+
+    def __init__(self, run):
+        self.shapes, known = [], {}
+        for name in STATES:
+            path = os.path.join(run, name)
+            if not os.path.isfile(path):
+                continue
+            try:
+                with h5py.File(path, "r") as state:
+                    self.take(state[CLUMPS], known)
+            except (OSError, KeyError):
+                continue  # of another version, or being replaced just now
+        if not known:
+            raise NoReplay("The run has kept no state on disk yet (checkpoint.h5), which says what its stones are.")
+        self.ids = np.array(sorted(known))
+        rows = [known[i] for i in self.ids]
+        self.shape = np.array([row[0] for row in rows])
+        self.mass = np.array([row[1] for row in rows])
+        self.is_load = np.array([row[2] for row in rows], dtype=bool)
+
+    def take(self, clumps, known):
+        shapes = [read_shape(clumps["shapes"][str(k)]) for k in range(int(clumps["shapes/count"][0]))]
+        if len(shapes) > len(self.shapes):
+            self.shapes += shapes[len(self.shapes):]
+        columns = (clumps[name][:].ravel().tolist() for name in ("id", "shape", "mass", "kind"))
+        for clump, shape, mass, kind in zip(*columns):
+            known.setdefault(clump, (shape, mass, kind != 0))
+
+    def poses(self, clumps, frame):
+        """Centres of mass [m] and attitudes (x, y, z, w; body to world; all zero where a stone is not there)."""
+        points, owner = clumps.points(frame).astype(float), clumps.attribute(frame, "clump")
+        there, first = np.unique(owner, return_index=True)
+        stone = np.searchsorted(self.ids, there.astype(int))
+        known = (stone < len(self.ids)) & (self.ids[np.minimum(stone, len(self.ids) - 1)] == there)
+        centres, attitudes = np.zeros((len(self.ids), 3)), np.zeros((len(self.ids), 4))
+        for k, shape in enumerate(self.shapes):
+            mine = np.flatnonzero(known & (self.shape[np.minimum(stone, len(self.ids) - 1)] == k))
+            if len(mine) == 0:
+                continue
+            spheres = points[first[mine][:, None] + np.arange(len(shape["centres"]))]
+            rows = stone[mine]
+            centres[rows], attitudes[rows] = fit(shape["centres"], spheres)
+        return centres, attitudes
+
+
+def read_shape(group):
+    return {"name": group["name"].asstr()[0], "volume": float(group["volume"][0]),
+            "centres": group["spheres/centre"][:], "radii": group["spheres/radius"][:].ravel()}
+
+
+def fit(body, world):
+    """The rigid motions that take the points `body` (n x 3) nearest to each of `world` (m x n x 3).
+
+    Source: Horn, J. Opt. Soc. Am. A 4 (1987) 629-642: the attitude is the eigenvector of the largest eigenvalue of a
+    symmetric matrix that the products of the coordinates make."""
+    middle, middles = body.mean(axis=0), world.mean(axis=1)
+    s = np.einsum("nk,mnl->mkl", body - middle, world - middles[:, None])
+    matrix = np.empty((len(world), 4, 4))
+    matrix[:, 0, 0] = np.trace(s, axis1=1, axis2=2)
+    for i, (j, k) in enumerate([(1, 2), (2, 0), (0, 1)]):
+        matrix[:, 0, i + 1] = matrix[:, i + 1, 0] = s[:, j, k] - s[:, k, j]
+        matrix[:, i + 1, i + 1] = 2 * s[:, i, i] - matrix[:, 0, 0]
+        matrix[:, j + 1, k + 1] = matrix[:, k + 1, j + 1] = s[:, j, k] + s[:, k, j]
+    w, x, y, z = np.linalg.eigh(matrix)[1][:, :, 3].T
+    attitudes = np.stack([x, y, z, w], axis=1)
+    if len(body) == 1:  # of a ball: any
+        attitudes = np.tile([0.0, 0.0, 0.0, 1.0], (len(world), 1))
+    return middles - rotated(attitudes, middle), attitudes
+
+
+def rotated(attitudes, vector):
+    axis, w = attitudes[:, :3], attitudes[:, 3:]
+    turn = 2 * np.cross(axis, vector)
+    return vector + w * turn + np.cross(axis, turn)
+
+
+def surfaces(shapes, path):
+    """Vertices [m], triangles and whether they are those of the stone itself, for each shape.
+
+    `path` is what `interlock` has made of the scans or synthetic stones (apps/stone_surfaces.h), or None. Where there
+    is none that fits a shape, the surface is that of its spheres."""
+    made = {}
+    if path is not None:
+        with open(path, encoding="utf-8") as file:
+            made = {each["name"]: each for each in json.load(file)}
+    result = []
+    for shape in shapes:
+        mine = made.get(shape["name"])
+        if mine and mine["spheres"] == len(shape["radii"]) and abs(mine["volume"] / shape["volume"] - 1) < 1e-6:
+            result.append((np.reshape(mine["vertices"], (-1, 3)), np.reshape(mine["triangles"], (-1, 3)), True))
+        else:
+            result.append(surface_of_spheres(shape) + (False,))
+    return result
+
+
+def surface_of_spheres(shape):
+    """Where rays from the centre of mass leave the spheres for the last time, in 162 directions."""
+    directions, triangles = ball()
+    along = directions @ shape["centres"].T
+    rest = shape["radii"] ** 2 - np.sum(shape["centres"] ** 2, axis=1) + along ** 2
+    way = np.where(rest >= 0, along + np.sqrt(np.maximum(rest, 0)), 0).max(axis=1)
+    return directions * np.maximum(way, 1e-5)[:, None], triangles
+
+
+def ball():
+    """An icosahedron whose faces are cut into four twice: unit vectors and triangles."""
+    golden = 0.5 * (1 + 5 ** 0.5)
+    points = [(s * a, t * b, 0) for a, b in [(1, golden)] for s in (-1, 1) for t in (-1, 1)]
+    points = np.array([np.roll(p, k) for k in range(3) for p in points])
+    triangles = [(i, j, k) for i in range(12) for j in range(i) for k in range(j)
+                 if max(np.linalg.norm(points[a] - points[b]) for a, b in ((i, j), (j, k), (k, i))) < 2.1]
+    triangles = [t if np.linalg.det(points[list(t)]) > 0 else t[::-1] for t in triangles]
+    points = [p / np.linalg.norm(p) for p in points]
+    for _ in range(2):
+        middle = {}
+
+        def between(a, b):
+            key = (min(a, b), max(a, b))
+            if key not in middle:
+                middle[key] = len(points)
+                points.append((points[a] + points[b]) / np.linalg.norm(points[a] + points[b]))
+            return middle[key]
+
+        finer = []
+        for a, b, c in triangles:
+            ab, bc, ca = between(a, b), between(b, c), between(c, a)
+            finer += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+        triangles = finer
+    return np.array(points), np.array(triangles)
