@@ -41,13 +41,12 @@ std::string script_for(const fs::path& folder)
 // report.html, with the surfaces of the stones where they can be made.
 ScriptResult write_page(const fs::path& folder)
 {
-  constexpr int triangles = 300; // of a stone
   std::error_code error;
   const fs::path surfaces = fs::temp_directory_path(error) /
                             ("interlock-" + std::to_string(getpid()) + "-stone_surfaces.json");
   const bool is_study = fs::is_regular_file(folder / "runs.csv", error);
   const std::string reason =
-      is_study ? "A study has no stones." : write_stone_surfaces(folder, surfaces, triangles);
+      is_study ? "A study has no stones." : write_stone_surfaces(folder, surfaces);
   std::vector<std::string> arguments = {folder.string()};
   if (reason.empty())
     arguments.insert(arguments.end(), {"--surfaces", surfaces.string()});

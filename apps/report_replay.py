@@ -8,7 +8,8 @@ import base64
 
 import field_series
 import numpy as np
-from report_stones import NoReplay, Stones, surfaces
+from report_stones import NoReplay, Stones
+from report_surfaces import surfaces
 from report_walls import walls
 from run_files import number
 
@@ -18,6 +19,10 @@ MOST_BYTES = 9e6  # of frames; in base64, with libraries and curves, a page belo
 def packed(values, kind):
     """Bytes of an array, little-endian, as text: what page.js unpacks by the same kind."""
     return {"kind": kind, "data": base64.b64encode(np.ascontiguousarray(values, dtype="<" + kind).tobytes()).decode()}
+
+
+def packed_mesh(points, triangles):
+    return {"vertices": packed(points, "f4"), "triangles": packed(triangles, "u2")}
 
 
 class Steps:
@@ -62,7 +67,7 @@ def replay(run, parameters, history, surface_file, no_surfaces):
     frames = Frames(run)
     poses = [frames.stones.poses(frames.clumps, frame) for frame in frames.chosen]
     shapes = surfaces(frames.stones.shapes, surface_file)
-    reach = max(float(np.linalg.norm(points, axis=1).max()) for points, _, _ in shapes)
+    reach = max(float(np.linalg.norm(shape.fine[0], axis=1).max()) for shape in shapes)
     there = np.concatenate([centres[attitudes.any(axis=1)] for centres, attitudes in poses])
     ribs = [frames.geogrid.points(frames.geogrid.frame_at(time)) for time in frames.times] if frames.geogrid else []
     everything = np.concatenate([there] + ribs)
@@ -70,8 +75,7 @@ def replay(run, parameters, history, surface_file, no_surfaces):
     result = {
         "times": frames.times, "left_out": len(frames.clumps) - len(frames.times),
         "low": steps.low.tolist(), "step": steps.step,
-        "shapes": [{"vertices": packed(points, "f4"), "triangles": packed(triangles, "u2"), "is_stone": own}
-                   for points, triangles, own in shapes],
+        "shapes": [{"fine": packed_mesh(*shape.fine), "coarse": packed_mesh(*shape.coarse)} for shape in shapes],
         "surfaces": describe_surfaces(shapes, no_surfaces),
         "stones": describe_stones(frames.stones, shapes, poses, steps),
         "contacts": contacts(frames, steps),
@@ -83,8 +87,8 @@ def replay(run, parameters, history, surface_file, no_surfaces):
 
 
 def describe_surfaces(shapes, no_surfaces):
-    own, count = sum(shape[2] for shape in shapes), len(shapes)
-    most = max(len(triangles) for _, triangles, _ in shapes)
+    own, count = sum(shape.is_own for shape in shapes), len(shapes)
+    most = max(len(shape.fine[1]) for shape in shapes)
     if own:
         text = f"Stones are drawn with their own closed surfaces, decimated to at most {most} triangles by quadric " \
                "edge collapse; contacts are computed with the spheres of their clumps."
@@ -94,7 +98,7 @@ def describe_surfaces(shapes, no_surfaces):
 
 
 def describe_stones(stones, shapes, poses, steps):
-    size = [float(np.ptp(points @ principal_axes(points), axis=0).max()) for points, _, _ in shapes]
+    size = [float(np.ptp(shape.fine[0] @ principal_axes(shape.fine[0]), axis=0).max()) for shape in shapes]
     return {
         "ids": stones.ids.tolist(), "shape": stones.shape.tolist(),
         "names": [shape["name"] for shape in stones.shapes],

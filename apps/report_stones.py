@@ -4,7 +4,6 @@ Frames hold member spheres; which stone has which shape stands in the states on 
 a stone's attitude is the rotation that takes the spheres of its shape to those of the frame. Needs h5py.
 """
 
-import json
 import os
 
 import h5py
@@ -96,58 +95,3 @@ def rotated(attitudes, vector):
     axis, w = attitudes[:, :3], attitudes[:, 3:]
     turn = 2 * np.cross(axis, vector)
     return vector + w * turn + np.cross(axis, turn)
-
-
-def surfaces(shapes, path):
-    """Vertices [m], triangles and whether they are those of the stone itself, for each shape.
-
-    `path` is what `interlock` has made of the scans or synthetic stones (apps/stone_surfaces.h), or None. Where there
-    is none that fits a shape, the surface is that of its spheres."""
-    made = {}
-    if path is not None:
-        with open(path, encoding="utf-8") as file:
-            made = {each["name"]: each for each in json.load(file)}
-    result = []
-    for shape in shapes:
-        mine = made.get(shape["name"])
-        if mine and mine["spheres"] == len(shape["radii"]) and abs(mine["volume"] / shape["volume"] - 1) < 1e-6:
-            result.append((np.reshape(mine["vertices"], (-1, 3)), np.reshape(mine["triangles"], (-1, 3)), True))
-        else:
-            result.append(surface_of_spheres(shape) + (False,))
-    return result
-
-
-def surface_of_spheres(shape):
-    """Where rays from the centre of mass leave the spheres for the last time, in 162 directions."""
-    directions, triangles = ball()
-    along = directions @ shape["centres"].T
-    rest = shape["radii"] ** 2 - np.sum(shape["centres"] ** 2, axis=1) + along ** 2
-    way = np.where(rest >= 0, along + np.sqrt(np.maximum(rest, 0)), 0).max(axis=1)
-    return directions * np.maximum(way, 1e-5)[:, None], triangles
-
-
-def ball():
-    """An icosahedron whose faces are cut into four twice: unit vectors and triangles."""
-    golden = 0.5 * (1 + 5 ** 0.5)
-    points = [(s * a, t * b, 0) for a, b in [(1, golden)] for s in (-1, 1) for t in (-1, 1)]
-    points = np.array([np.roll(p, k) for k in range(3) for p in points])
-    triangles = [(i, j, k) for i in range(12) for j in range(i) for k in range(j)
-                 if max(np.linalg.norm(points[a] - points[b]) for a, b in ((i, j), (j, k), (k, i))) < 2.1]
-    triangles = [t if np.linalg.det(points[list(t)]) > 0 else t[::-1] for t in triangles]
-    points = [p / np.linalg.norm(p) for p in points]
-    for _ in range(2):
-        middle = {}
-
-        def between(a, b):
-            key = (min(a, b), max(a, b))
-            if key not in middle:
-                middle[key] = len(points)
-                points.append((points[a] + points[b]) / np.linalg.norm(points[a] + points[b]))
-            return middle[key]
-
-        finer = []
-        for a, b, c in triangles:
-            ab, bc, ca = between(a, b), between(b, c), between(c, a)
-            finer += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
-        triangles = finer
-    return np.array(points), np.array(triangles)

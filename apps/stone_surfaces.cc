@@ -23,23 +23,28 @@ template <class Parameters> const coupling::StoneParameters* stones_of(const Par
   return nullptr;
 }
 
-nlohmann::json to_json(const dem::ClumpShape& shape, const dem::TriangleMesh& mesh)
+nlohmann::json to_json(const dem::TriangleMesh& mesh)
 {
   nlohmann::json vertices = nlohmann::json::array(), triangles = nlohmann::json::array();
   for (const dem::Vector3& x : mesh.vertices)
     for (int c = 0; c < 3; ++c) vertices.push_back(1e-7 * std::round(1e7 * x[c]));
   for (const auto& t : mesh.triangles)
     for (const int v : t) triangles.push_back(v);
+  return {{"vertices", vertices}, {"triangles", triangles}};
+}
+
+nlohmann::json to_json(const dem::ClumpShape& shape, const dem::TriangleMesh& mesh)
+{
   return {{"name", shape.name},
           {"volume", shape.volume},
           {"spheres", shape.spheres.size()},
-          {"vertices", vertices},
-          {"triangles", triangles}};
+          {"fine", to_json(dem::decimated(mesh, 300))},
+          {"coarse", to_json(dem::decimated(mesh, 80))}};
 }
 } // namespace
 
 std::string write_stone_surfaces(const std::filesystem::path& folder,
-                                 const std::filesystem::path& file, int triangles)
+                                 const std::filesystem::path& file)
 try {
   const RunInput input = read_parameter_file(folder / "used.prm");
   const coupling::StoneParameters* parameters =
@@ -51,7 +56,7 @@ try {
   if (surfaces.empty()) return "The clumps of the run came without the surfaces of their stones.";
   nlohmann::json list = nlohmann::json::array();
   for (std::size_t k = 0; k < stones.size(); ++k)
-    list.push_back(to_json(stones[k].shape, dem::decimated(surfaces[k], triangles)));
+    list.push_back(to_json(stones[k].shape, surfaces[k]));
   coupling::write_atomically(file, list.dump());
   return "";
 } catch (const std::exception& error) { // a disk that is full, too

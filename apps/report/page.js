@@ -49,12 +49,14 @@ function stop() {
   clearInterval(playing);
   playing = 0;
   play.textContent = "▶";
+  if (replay) replay.move(false);
 }
 
 function playOrStop() {
   if (playing) return stop();
   if (Number(slider.value) >= moments.length - 1) show(0);
   play.textContent = "❚❚";
+  if (replay) replay.move(true);
   playing = setInterval(() => (Number(slider.value) < moments.length - 1 ? show(Number(slider.value) + 1) : stop()), 80);
 }
 
@@ -73,10 +75,15 @@ function key(event) {
 
 document.addEventListener("keydown", key);
 slider.max = Math.max(0, moments.length - 1);
-slider.addEventListener("input", () => { stop(); show(Number(slider.value)); });
+slider.addEventListener("input", () => {
+  stop();
+  if (replay) replay.move(true);
+  show(Number(slider.value));
+});
+slider.addEventListener("change", () => replay && replay.move(false));
 play.addEventListener("click", playOrStop);
 if (!moments.length) document.getElementById("bar").hidden = true;
-window.report = {data, replay, show, moments};
+window.report = {data, replay, show, moments, measurePictures};
 show(replay && !data.replay.pieces ? moments.length - 1 : 0);
 if (replay) replay.scene.drawNow();
 // After the first picture: curves take as long as it does.
@@ -84,5 +91,6 @@ setTimeout(() => {
   fillTexts(data);
   fillCharts(data);
   show(Number(slider.value));
+  if (replay) replay.findOutSpeed();
   window.isComplete = true;
 }, 0);

@@ -45,6 +45,10 @@ class Pieces {
     this.scene.draw();
   }
 
+  move() {} // a piece is small
+
+  findOutSpeed() {}
+
   about() {
     return "Each step of the slider is a test in its last state, or a mode; the thin outline is the unloaded piece. Ribs are drawn with one width.";
   }

@@ -65,7 +65,7 @@ class Replay {
   update() {
     const frame = this.frame, isCut = this.isCut();
     const colour = this.byWay ? (i) => colourAt("way", this.stones.way(frame, i) / this.longestWay) : (i) => this.stoneColours[i];
-    this.stones.update(frame, isCut, colour);
+    this.stones.update(frame, isCut, colour, this.isSlow && this.isMoving);
     this.stones.select(this.selected, frame);
     if (this.contacts) this.contacts.update(frame, isCut);
     if (this.ribs) this.updateRibs(frame);
@@ -78,6 +78,13 @@ class Replay {
     const nodes = this.ribPlaces.length / 3 / this.data.times.length, elements = this.lines.length / 2;
     this.ribs.update(this.lines, (n) => place(this.data, this.ribPlaces, frame * nodes + n),
                      (e) => this.axial[frame * elements + e], this.limit);
+  }
+
+  // Where a picture takes longer than the eye notices, stones are coarser as long as something moves.
+  move(isMoving) {
+    if (this.isMoving === isMoving) return;
+    this.isMoving = isMoving;
+    if (this.isSlow) this.update();
   }
 
   show(frame) {
@@ -107,6 +114,8 @@ class Replay {
       const box = canvas.getBoundingClientRect();
       this.pick(event.clientX - box.left, event.clientY - box.top);
     });
+    this.scene.controls.addEventListener("start", () => this.move(true));
+    this.scene.controls.addEventListener("end", () => this.move(false));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
       this.stoneColours = this.stoneColours.map((_, i) => this.plain(i));
       this.update();
@@ -135,14 +144,23 @@ class Replay {
     box.replaceChildren(element("b", {}, `${what} ${stones.ids[i]}`), ` (${stones.names[shape]})`, table(null, rows));
   }
 
-  // Milliseconds a picture, each of another frame, waiting for the last pixel of each.
-  measure(count) {
-    const gl = this.scene.renderer.getContext(), pixel = new Uint8Array(4), begin = performance.now();
-    for (let k = 0; k < count; ++k) {
-      this.show(k % this.data.times.length);
-      this.scene.drawNow();
-      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-    }
-    return (performance.now() - begin) / count;
+  // Of the present frame, the last pixel included.
+  findOutSpeed() {
+    const slowest = 30; // [ms]
+    this.isSlow = false;
+    this.isSlow = measurePictures(this, 2) > slowest;
   }
+}
+
+// Milliseconds a picture, each of the next frame, waiting for the last pixel of each.
+function measurePictures(replay, count) {
+  const gl = replay.scene.renderer.getContext(), pixel = new Uint8Array(4), first = replay.frame, begin = performance.now();
+  for (let k = 1; k <= count; ++k) {
+    replay.show((first + k) % replay.data.times.length);
+    replay.scene.drawNow();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+  }
+  const time = (performance.now() - begin) / count;
+  replay.show(first);
+  return time;
 }

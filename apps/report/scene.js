@@ -1,4 +1,4 @@
-// Camera, light, outlines of walls, views. Draws when something has changed, not all the time.
+// Camera, outlines of walls, views. Draws when something has changed, not all the time.
 class Scene {
   constructor(canvas, low, high) {
     this.canvas = canvas;
@@ -7,11 +7,7 @@ class Scene {
     this.camera = new THREE.PerspectiveCamera(28, 1, 0.005, 100);
     this.camera.up.set(0, 0, 1);
     this.middle = new THREE.Vector3(...low).add(new THREE.Vector3(...high)).multiplyScalar(0.5);
-    this.radius = 0.5 * new THREE.Vector3(...high).distanceTo(new THREE.Vector3(...low));
     this.half = new THREE.Vector3(...high).sub(this.middle);
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8175, 0.62));
-    this.lamp = new THREE.DirectionalLight(0xffffff, 0.55);
-    this.scene.add(this.lamp, this.lamp.target);
     this.controls = new THREE.OrbitControls(this.camera, canvas);
     this.controls.enableKeys = false;
     this.controls.addEventListener("change", () => this.draw());
@@ -88,10 +84,6 @@ class Scene {
   drawNow() {
     cancelAnimationFrame(this.drawing);
     this.drawing = 0;
-    // The light comes over the left shoulder of whoever looks.
-    this.lamp.target.position.copy(this.controls.target);
-    this.lamp.position.set(-0.6, 0.8, 0.7).applyQuaternion(this.camera.quaternion).multiplyScalar(this.radius * 4)
-      .add(this.controls.target);
     this.renderer.render(this.scene, this.camera);
     if (window.firstPicture === undefined) window.firstPicture = performance.now();
   }

@@ -1,4 +1,25 @@
-// The stones: one mesh a shape, drawn once for each stone of it. Who is hidden, who is hit.
+// The stones as one mesh, moved by this program: software renderers draw 90,000 triangles of one mesh in a third of the
+// time that they take for as many of 270 instances (tests/performance/report_page.py). Who is hidden, who is hit.
+const STONE_SHADERS = {
+  vertexShader: `
+    varying vec3 shade, seen;
+    void main() {
+      shade = color;
+      vec4 place = modelViewMatrix * vec4(position, 1.0);
+      seen = place.xyz;
+      gl_Position = projectionMatrix * place;
+    }`,
+  // Flat facets in light that comes over the left shoulder of whoever looks.
+  fragmentShader: `
+    uniform float opacity;
+    varying vec3 shade, seen;
+    void main() {
+      vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+      float light = 0.55 + 0.3 * normal.y * 0.5 + 0.55 * max(0.0, dot(normal, vec3(-0.48, 0.6, 0.64)));
+      gl_FragColor = vec4(shade * light, opacity);
+    }`,
+};
+
 class Stones {
   constructor(scene, replay) {
     const stones = replay.stones;
@@ -10,14 +31,35 @@ class Stones {
     this.centre = new Float32Array(3 * this.count); // of the present frame [m]
     this.visible = new Uint8Array(this.count);
     this.first = this.firstFrames();
-    this.group = new THREE.Group();
-    this.material = new THREE.MeshLambertMaterial({vertexColors: THREE.VertexColors});
-    this.meshes = replay.shapes.map((shape, k) => this.mesh(shape, k));
-    scene.add(this.group);
+    this.fine = replay.shapes.map((shape) => this.geometry(shape.fine));
+    this.coarse = replay.shapes.map((shape) => this.geometry(shape.coarse)); // while things move, where that is slow
+    this.material = new THREE.ShaderMaterial({...STONE_SHADERS, vertexColors: THREE.VertexColors,
+      uniforms: {opacity: {value: 1}}, extensions: {derivatives: true}});
+    this.mesh = new THREE.Mesh(this.emptyGeometry(), this.material);
+    this.mesh.frustumCulled = false;
     this.outline = new THREE.Mesh(undefined, new THREE.MeshBasicMaterial({color: 0xd55e00, side: THREE.BackSide}));
     this.outline.matrixAutoUpdate = false;
     this.outline.visible = false;
-    scene.add(this.outline);
+    scene.add(this.mesh, this.outline);
+  }
+
+  geometry({vertices, triangles}) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(unpack(vertices), 3));
+    geometry.setIndex(new THREE.BufferAttribute(unpack(triangles), 1));
+    geometry.computeBoundingSphere();
+    return geometry;
+  }
+
+  emptyGeometry() {
+    const sum = (size) => this.shape.reduce((total, k) => total + size(this.fine[k]), 0);
+    const vertices = sum((shape) => shape.attributes.position.count), corners = sum((shape) => shape.index.count);
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3 * vertices), 3));
+    geometry.setAttribute("color", new THREE.BufferAttribute(new Uint8Array(3 * vertices), 3, true));
+    geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(corners), 1));
+    for (const attribute of [...Object.values(geometry.attributes), geometry.index]) attribute.setUsage(THREE.DynamicDrawUsage);
+    return geometry;
   }
 
   // A stone's way is measured from the frame in which it is seen first.
@@ -30,26 +72,6 @@ class Stones {
   isThere(frame, i) {
     const at = 4 * (frame * this.count + i), q = this.attitudes;
     return q[at] !== 0 || q[at + 1] !== 0 || q[at + 2] !== 0 || q[at + 3] !== 0;
-  }
-
-  // Facets with edges between them: every corner is a vertex of its own.
-  mesh(shape, k) {
-    const mine = [];
-    for (let i = 0; i < this.count; ++i) if (this.shape[i] === k) mine.push(i);
-    const vertices = unpack(shape.vertices), triangles = unpack(shape.triangles);
-    const corners = new Float32Array(3 * triangles.length);
-    triangles.forEach((v, n) => corners.set(vertices.subarray(3 * v, 3 * v + 3), 3 * n));
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(corners, 3));
-    geometry.computeVertexNormals();
-    geometry.computeBoundingSphere();
-    geometry.setAttribute("color", new THREE.InstancedBufferAttribute(new Float32Array(3 * mine.length).fill(1), 3));
-    const mesh = new THREE.InstancedMesh(geometry, this.material, Math.max(1, mine.length));
-    mesh.frustumCulled = false;
-    mesh.visible = mine.length > 0;
-    mesh.userData.stones = mine;
-    this.group.add(mesh);
-    return mesh;
   }
 
   matrix(frame, i, result) {
@@ -73,36 +95,50 @@ class Stones {
   }
 
   // `isCut(x, y, z)` hides a stone with its centre there; `colour(i)` is red, green, blue.
-  update(frame, isCut, colour) {
-    const matrix = new THREE.Matrix4(), nothing = new THREE.Matrix4().makeScale(0, 0, 0);
-    for (const mesh of this.meshes) {
-      const colours = mesh.geometry.attributes.color;
-      mesh.userData.stones.forEach((i, n) => {
-        const centre = place(this.replay, this.places, frame * this.count + i);
-        this.centre.set(centre, 3 * i);
-        this.visible[i] = this.isThere(frame, i) && !isCut(...centre) ? 1 : 0;
-        mesh.setMatrixAt(n, this.visible[i] ? this.matrix(frame, i, matrix) : nothing);
-        colours.array.set(colour(i), 3 * n);
-      });
-      mesh.instanceMatrix.needsUpdate = true;
-      colours.needsUpdate = true;
+  update(frame, isCut, colour, isCoarse) {
+    const {position, color} = this.mesh.geometry.attributes, index = this.mesh.geometry.index;
+    const shapes = isCoarse ? this.coarse : this.fine, matrix = new THREE.Matrix4();
+    let vertices = 0, corners = 0;
+    for (let i = 0; i < this.count; ++i) {
+      const centre = place(this.replay, this.places, frame * this.count + i);
+      this.centre.set(centre, 3 * i);
+      this.visible[i] = this.isThere(frame, i) && !isCut(...centre) ? 1 : 0;
+      if (!this.visible[i]) continue;
+      const shape = shapes[this.shape[i]], own = shape.index.array, count = shape.attributes.position.count;
+      for (let k = 0; k < own.length; ++k) index.array[corners++] = vertices + own[k];
+      this.move(shape.attributes.position.array, this.matrix(frame, i, matrix).elements, position.array, 3 * vertices);
+      const shade = colour(i).map((value) => 255 * Math.min(value, 1));
+      for (let k = 0; k < count; ++k, ++vertices) color.array.set(shade, 3 * vertices);
+    }
+    this.mesh.geometry.setDrawRange(0, corners);
+    for (const [attribute, used] of [[position, 3 * vertices], [color, 3 * vertices], [index, corners]]) {
+      attribute.updateRange = {offset: 0, count: used};
+      attribute.needsUpdate = used > 0;
+    }
+  }
+
+  move(own, m, result, at) {
+    for (let k = 0; k < own.length; k += 3, at += 3) {
+      const x = own[k], y = own[k + 1], z = own[k + 2];
+      result[at] = m[0] * x + m[4] * y + m[8] * z + m[12];
+      result[at + 1] = m[1] * x + m[5] * y + m[9] * z + m[13];
+      result[at + 2] = m[2] * x + m[6] * y + m[10] * z + m[14];
     }
   }
 
   // solid, faint or hidden
   look(mode) {
     this.mode = mode;
-    this.group.visible = mode !== "hidden";
+    this.mesh.visible = mode !== "hidden";
     this.material.transparent = mode === "faint";
-    this.material.opacity = mode === "faint" ? 0.13 : 1;
+    this.material.uniforms.opacity.value = mode === "faint" ? 0.16 : 1;
     this.material.depthWrite = mode !== "faint";
-    this.material.needsUpdate = true;
   }
 
   select(i, frame) {
     this.outline.visible = i >= 0 && this.visible[i] === 1;
     if (!this.outline.visible) return;
-    this.outline.geometry = this.meshes[this.shape[i]].geometry;
+    this.outline.geometry = this.fine[this.shape[i]];
     this.matrix(frame, i, this.outline.matrix).scale(new THREE.Vector3(1.07, 1.07, 1.07));
   }
 
@@ -112,13 +148,13 @@ class Stones {
     const matrix = new THREE.Matrix4(), centre = new THREE.Vector3(), corners = [0, 1, 2].map(() => new THREE.Vector3());
     const point = new THREE.Vector3();
     for (let i = 0; i < this.count; ++i) {
-      const {geometry} = this.meshes[this.shape[i]];
+      const geometry = this.fine[this.shape[i]];
       centre.fromArray(this.centre, 3 * i);
       if (!this.visible[i] || ray.distanceToPoint(centre) > geometry.boundingSphere.radius * 1.5) continue;
       const local = ray.clone().applyMatrix4(matrix.getInverse(this.matrix(frame, i, new THREE.Matrix4())));
-      const positions = geometry.attributes.position;
-      for (let n = 0; n < positions.count; n += 3) {
-        corners.forEach((corner, c) => corner.fromBufferAttribute(positions, n + c));
+      const positions = geometry.attributes.position, triangles = geometry.index.array;
+      for (let n = 0; n < triangles.length; n += 3) {
+        corners.forEach((corner, c) => corner.fromBufferAttribute(positions, triangles[n + c]));
         if (!local.intersectTriangle(...corners, true, point)) continue;
         const distance = point.distanceTo(local.origin);
         if (distance < nearest) [best, nearest] = [i, distance];
