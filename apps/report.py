@@ -67,6 +67,9 @@ def run_page(run, arguments):
     is_laboratory = experiment in ("laboratory", "geogrid")
     history = {} if is_laboratory else read_history(run)
     data = report_text.texts(run, experiment, summary, parameters)
+    if is_laboratory:
+        data["cards"] = report_study.table("Measured and stated", report_study.read_rows(run, "table.csv"),
+                                           ["quantity", "unit", "measured", "stated"])
     data["charts"] = laboratory(run) if is_laboratory else curves(run, experiment, history, summary, parameters)
     data["replay"] = replay_of(run, arguments, parameters, history)
     if "time" in history:

@@ -1,7 +1,8 @@
 """The curves in the page of a run, by experiment: what page.js draws with Chart.js. Needs NumPy only.
 
-A chart is {title, x, y: texts of the axes; series; time, place: where on x each record's time is, so that the slider
-can mark it; from, why: the part that is not to be used}. A series is {label, x, y, colour, dash, width, points}.
+A chart is {title, x, y: texts of the axes; note; series; time, place: where on x each record's time is, so that the slider
+can mark it; from, why: the part that is not to be used}. A series is {label, x, y, colour, dash, width, points, quiet: not in
+the legend}.
 Units are those of the axes.
 """
 
@@ -20,10 +21,10 @@ def digits(values):
     return [float(f"{v:.5g}") if np.isfinite(v) else None for v in np.asarray(values, dtype=float)]
 
 
-def line(label, x, y, colour=0, dash="-", width=2.0, points=False):
+def line(label, x, y, colour=0, dash="-", width=2.0, points=False, quiet=False):
     step = int(np.ceil(len(x) / MOST_ROWS)) or 1
     colour = COLOURS[colour] if isinstance(colour, int) else colour
-    return {"label": label, "x": digits(x[::step]), "y": digits(y[::step]), "width": width, "points": points,
+    return {"label": label, "x": digits(x[::step]), "y": digits(y[::step]), "width": width, "points": points, "quiet": quiet,
             "colour": "ink" if colour == "#000000" else colour, "dash": DASHES.get(dash, dash)}
 
 
@@ -108,8 +109,8 @@ def profile(run, summary):
     for sector in dict.fromkeys(row[0] for row in rows):
         x, y = (1e3 * np.array([float(row[c]) for row in rows if row[0] == sector]) for c in (1, 2))
         whole = sector == "all"
-        series.append(line("all azimuths" if whole else f"sector {sector}", x, y, 0 if whole else "#888888",
-                           "-" if whole else ":", 2.4 if whole else 0.9))
+        series.append(line("all azimuths" if whole else "one of 8 sectors", x, y, 0 if whole else "#888888",
+                           "-" if whole else ":", 2.4 if whole else 0.9, quiet=not whole and sector != "0"))
     angle = find_result(summary, "angle_of_repose_deg")
     title = "Profile" + (f", angle of repose {angle:.1f} degrees" if angle else "")
     return [chart(title, "distance from the centroid in plan [mm]", "mean height of the surface [mm]", series)]

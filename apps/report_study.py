@@ -50,11 +50,13 @@ def curves_by_point(study):
         look = (p % len(COLOURS), styles[p % len(styles)])
         series.append(line(f"{name}, mean of {int(counts[p].max())}", x, mean[p], *look, 2.4))
         if np.any(np.isfinite(deviation[p])):
-            series += [line(f"{name}, mean {sign} deviation", x, mean[p] + factor * deviation[p], p % len(COLOURS), ":", 1)
+            series += [line(f"{name}, mean {sign} deviation", x, mean[p] + factor * deviation[p], p % len(COLOURS), ":", 1, quiet=True)
                        for sign, factor in (("+", 1), ("-", -1))]
     if len(points) > len(COLOURS):
-        series = [line(points[p], x, run, "#888888", "-", 0.7) for run, p in zip(force, point_of_run)]
-    return [chart("Force and displacement", "displacement [mm]", "force [N]", series)], ""
+        series = [line(points[p], x, run, "#888888", "-", 0.7, quiet=True) for run, p in zip(force, point_of_run)]
+    drawn = chart("Force and displacement", "displacement [mm]", "force [N]", series)
+    drawn["note"] = "Thick: mean of the fillings; dotted: mean plus and minus the standard deviation."
+    return [drawn], ""
 
 
 def table(title, rows, columns, note=""):
@@ -106,11 +108,10 @@ def study_page(study):
         each["wide"] = True
     text = citation()
     return {
-        "title": f"{os.path.basename(os.path.abspath(study))}: study", "experiment": "study",
+        "title": f"Study: {os.path.basename(os.path.abspath(study))}", "experiment": "study",
         "state": f"{done} of {len(runs)} runs are done", "finished": done == len(runs), "main": [], "results": [],
         "energy": [], "stages": [], "warnings": [problem] if problem else [], "not_usable": "", "inputs": "",
-        "identity": [["folder", os.path.abspath(study)],
-                     ["version", ", ".join(sorted({row.get("version", "") for row in runs} - {""}))],
+        "identity": [["version", ", ".join(sorted({row.get("version", "") for row in runs} - {""}))],
                      ["commit", ", ".join(sorted({row.get("commit", "") for row in runs} - {""}))]],
         "log": read_text(os.path.join(study, "run.log")), "cite": cited(text, {}), "citation_file": text,
         "cards": cards, "charts": charts, "replay": {"missing": ""},

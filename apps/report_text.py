@@ -8,7 +8,7 @@ from run_files import find_result
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 # Behind the names of results: what they are in.
-UNITS = [("_kg_per_m3", "kg/m³"), ("_m_per_s", "m/s"), ("_N_per_m", "N/m"), ("_Pa_per_m", "Pa/m"), ("_deg", "°"),
+UNITS = [("_kN_per_m", "kN/m"), ("_kg_per_m3", "kg/m³"), ("_m_per_s", "m/s"), ("_N_per_m", "N/m"), ("_Pa_per_m", "Pa/m"), ("_deg", "°"),
          ("_mm", "mm"), ("_m", "m"), ("_kg", "kg"), ("_N", "N"), ("_J", "J"), ("_Pa", "Pa"), ("_s", "s")]
 MAIN = {"pull-out": ["peak_pull_force_N", "displacement_at_peak_m", "pull_force_at_end_N", "mass_in_box_kg",
                      "largest_stretch_of_a_rib"],
@@ -50,7 +50,7 @@ def stage_rows(summary):
     rows, begin = [], 0.0
     for stage in summary.get("stages", []):
         end = begin + stage["simulated_time_s"]
-        rows.append([stage["name"], f"{begin:.3f} to {end:.3f} s", f"{stage['steps']:,}".replace(",", " "),
+        rows.append([stage["name"], f"{begin:.3f} to {end:.3f} s" if end > begin else "", f"{stage['steps']:,}".replace(",", " "),
                      duration(stage["wall_time_s"])])
         begin = end
     return rows
@@ -86,10 +86,10 @@ def cited(text, summary):
         "doi:10.1007/s10035-010-0205-8."
 
 
-def identity(run, summary, parameters):
+def identity(summary, parameters):
     """What tells this run from all others."""
     origin = summary.get("origin", {})
-    rows = [["folder", os.path.abspath(run)], ["date", origin.get("date")], ["state hash", summary.get("state_hash")],
+    rows = [["date", origin.get("date")], ["state hash", summary.get("state_hash", "").strip("0") and summary["state_hash"]],
             ["hash of the inputs", summary.get("parameters_hash")], ["version", summary.get("version")],
             ["commit", origin.get("commit")], ["compiler", origin.get("compiler")], ["ranks", summary.get("ranks")],
             ["seed of the filling", summary.get("seed")], ["time step", f"{1e6 * summary['time_step_s']:.3g} µs"
@@ -117,11 +117,11 @@ def texts(run, experiment, summary, parameters):
     main = [result_row(name, results[name]) for name in MAIN.get(experiment, []) if results.get(name) is not None]
     text = citation()
     return {
-        "title": f"{os.path.basename(os.path.abspath(run))}: {experiment}", "experiment": experiment, "state": state,
+        "title": f"{experiment.capitalize()}: {os.path.basename(os.path.abspath(run))}", "experiment": experiment, "state": state,
         "finished": bool(summary), "main": main,
         "results": [result_row(name, value) for name, value in results.items() if value is not None],
         "energy": energy_rows(summary), "stages": stage_rows(summary), "warnings": warnings,
         "not_usable": summary.get("not_usable") or find_result(summary, "not_usable_because") or "",
-        "identity": identity(run, summary, parameters), "inputs": read_text(os.path.join(run, "used.prm")),
+        "identity": identity(summary, parameters), "inputs": read_text(os.path.join(run, "used.prm")),
         "log": log, "cite": cited(text, summary), "citation_file": text,
     }

@@ -18,9 +18,19 @@ function placeAt(chart, time) {
 
 const colourOf = (name) => (name === "ink" ? style("ink") : name);
 
+// Lines in the legend are dashed as in the chart.
+function labels(chart) {
+  return Chart.defaults.plugins.legend.labels.generateLabels(chart)
+    .filter((label) => !chart.data.datasets[label.datasetIndex].isQuiet)
+    .map((label) => {
+      const {borderDash, borderWidth} = chart.data.datasets[label.datasetIndex];
+      return {...label, lineDash: borderDash, lineWidth: borderWidth};
+    });
+}
+
 function dataset(series) {
   return {
-    label: series.label, borderColor: colourOf(series.colour), backgroundColor: colourOf(series.colour),
+    label: series.label, isQuiet: series.quiet, borderColor: colourOf(series.colour), backgroundColor: colourOf(series.colour),
     borderWidth: series.width, borderDash: series.dash, pointRadius: series.points ? 5 : 0, pointHitRadius: 6,
     pointStyle: series.points ? "rectRot" : "line", showLine: !series.points,
     data: series.x.map((x, i) => ({x, y: series.y[i]})),
@@ -63,22 +73,23 @@ const marks = {
   },
 };
 
-function axis(text, tight) {
+function axis(text) {
   const faint = style("faint");
   return {type: "linear", title: {display: true, text, color: faint}, ticks: {color: faint, maxRotation: 0, autoSkipPadding: 12},
-          grid: {color: style("grid")}, grace: tight ? 0 : "3%"};
+          grid: {color: style("grid")}};
 }
 
 function drawChart(chart, parent) {
   const canvas = element("canvas", {role: "img", "aria-label": `${chart.title}: ${chart.y} over ${chart.x}`});
-  const why = chart.from === undefined ? [] : [element("p", {class: "note"}, `Hatched from ${threeDigits(chart.from)} on: not to be used. ${chart.why}`)];
+  const note = chart.note ? [element("p", {class: "note"}, chart.note)] : [];
+  const why = chart.from === undefined ? note : [element("p", {class: "note"}, `Hatched from ${threeDigits(chart.from)} on: not to be used. ${chart.why}`)];
   parent.append(element("div", {class: "chart"}, element("h2", {}, chart.title), element("div", {}, canvas), ...why));
   const options = {
     animation: false, maintainAspectRatio: false, parsing: false, normalized: true,
     interaction: {mode: "nearest", axis: "x", intersect: false},
-    scales: {x: axis(chart.x, true), y: axis(chart.y, false)},
+    scales: {x: axis(chart.x), y: axis(chart.y)},
     plugins: {
-      legend: {labels: {color: style("ink"), usePointStyle: true, pointStyleWidth: 36, boxHeight: 6, font: {size: 11}}},
+      legend: {display: chart.series.length > 1, labels: {generateLabels: labels, color: style("ink"), usePointStyle: true, pointStyleWidth: 36, boxHeight: 6, font: {size: 11}}},
       tooltip: {callbacks: {title: (items) => `${chart.x}: ${threeDigits(items[0].parsed.x)}`,
                             label: (item) => `${item.dataset.label}: ${threeDigits(item.parsed.y)}`}},
     },

@@ -7,7 +7,7 @@ const SCALES = {
   // Plasma of Matplotlib, without its dark end.
   force: ["#7e03a8", "#a82296", "#cb4679", "#e56b5d", "#f89441", "#fdc328", "#f0f921"],
   // Blue and orange, light where there is nothing.
-  signed: ["#1f5fbf", "#5b94d8", "#a9c7e8", "#e8e6e1", "#f6bf85", "#e8833a", "#b34a00"],
+  signed: ["#1446a0", "#3f7fd0", "#96b9e0", "#d3cfc7", "#f3b26b", "#e8761c", "#a83c00"],
 };
 
 function channels(hex) {
@@ -39,3 +39,7 @@ function quantile(values, share) {
   sizes.sort((a, b) => a - b);
   return sizes[Math.min(sizes.length - 1, Math.floor(share * sizes.length))] || 0;
 }
+
+// From -1 to 1 to a place on the signed scale: by the root, since few ribs bear most of the force.
+const signedShare = (share) => 0.5 + 0.5 * Math.sign(share) * Math.sqrt(Math.min(Math.abs(share), 1));
+const signedNumbers = (limit) => [-limit, -limit / 4, 0, limit / 4, limit].map(threeDigits);

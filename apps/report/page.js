@@ -18,8 +18,7 @@ if (replay) {
   about.textContent = replay.about ? replay.about() : data.replay.surfaces;
 } else {
   document.getElementById("replay").classList.add("empty");
-  about.textContent = "";
-  if (data.replay.missing) about.replaceWith(element("p", {class: "warning"}, "No replay: " + data.replay.missing));
+  about.replaceWith(...(data.replay.missing ? [element("p", {class: "warning"}, "No replay: " + data.replay.missing)] : []));
 }
 
 // The slider goes through frames where there are any, else through 200 times of the history.
@@ -28,11 +27,13 @@ const moments = replay ? data.replay.times : data.times ? Array.from({length: 20
 const slider = document.getElementById("slider"), output = document.getElementById("now"), play = document.getElementById("play");
 let playing = 0;
 
+// What the curves are drawn over, the time, the frame.
 function nowText(k) {
   if (data.replay.pieces) return data.replay.pieces[k].name;
   const lead = data.charts.find((chart) => chart.time && chart.x !== "time [s]");
-  const way = lead ? `${lead.x.replace(/ \[.*/, "")} ${threeDigits(placeAt(lead, moments[k]))} ${lead.x.match(/\[(.*)\]/)[1]}, ` : "";
-  return `${way}${moments[k].toFixed(3)} s${replay ? `, frame ${k + 1} of ${moments.length}` : ""}`;
+  const unit = lead && lead.x.match(/\[(.*)\]/)[1];
+  const place = lead ? `${placeAt(lead, moments[k]).toFixed(1)} ${unit} · ` : "";
+  return `${place}${moments[k].toFixed(3)} s${replay ? ` · frame ${k + 1} of ${moments.length}` : ""}`;
 }
 
 function show(k) {
@@ -63,12 +64,13 @@ function playOrStop() {
 const tools = replay && !data.replay.pieces ? stoneTools(replay) : replay ? pieceTools(replay) : {};
 
 function key(event) {
-  if (event.target.matches("select, summary") || event.ctrlKey || event.metaKey || event.altKey) return;
+  const isOn = (what) => event.target instanceof Element && event.target.matches(what);
+  if (isOn("select, summary") || event.ctrlKey || event.metaKey || event.altKey) return;
   const at = Number(slider.value), step = event.shiftKey ? 10 : 1;
   const actions = {ArrowRight: () => show(at + step), ArrowLeft: () => show(at - step), Home: () => show(0),
                    End: () => show(moments.length - 1), " ": playOrStop, ...tools};
   const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-  if (!action || (event.key === " " && event.target.matches("button"))) return;
+  if (!action || (event.key === " " && isOn("button"))) return;
   action();
   event.preventDefault();
 }
@@ -91,6 +93,5 @@ setTimeout(() => {
   fillTexts(data);
   fillCharts(data);
   show(Number(slider.value));
-  if (replay) replay.findOutSpeed();
   window.isComplete = true;
 }, 0);

@@ -41,13 +41,11 @@ class Pieces {
     this.scene.middle.set(...[0, 1, 2].map((c) => 0.5 * (low[c] + high[c])));
     this.scene.half.set(...[0, 1, 2].map((c) => Math.max(0.5 * (high[c] - low[c]), 0.02 * largest)));
     if (changed) this.scene.view(this.scene.viewName || "angle");
-    fillLegends(piece.values ? [legend(`${piece.field}, ${piece.name}`, "signed", [-this.limit, 0, this.limit].map(threeDigits))] : []);
+    fillLegends(piece.values ? [legend(`${piece.field}, ${piece.name}`, "signed", signedNumbers(this.limit))] : []);
     this.scene.draw();
   }
 
   move() {} // a piece is small
-
-  findOutSpeed() {}
 
   about() {
     return "Each step of the slider is a test in its last state, or a mode; the thin outline is the unloaded piece. Ribs are drawn with one width.";

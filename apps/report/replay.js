@@ -21,16 +21,16 @@ class Replay {
     this.scene.view("angle");
   }
 
-  // Of the stones' centres and the ribs, with a margin of half a stone; 99 of 100 stones, so that one that rolled away
-  // does not make all others small.
+  // Of the stones and the ribs; of a heap 99 of 100 stones where they end, so that one that rolled away, or that falls
+  // from far above, does not make all others small.
   box() {
     const places = unpack(this.data.stones.places), n = this.data.stones.ids.length, frames = this.data.times.length;
     const attitudes = unpack(this.data.stones.attitudes);
-    const points = [];
-    for (let i = 0; i < n * frames; i += Math.max(1, Math.floor((n * frames) / 20000)))
+    const isHeap = this.data.walls.length <= 1, points = [], begin = isHeap ? n * (frames - 1) : 0;
+    for (let i = begin; i < n * frames; i += Math.max(1, Math.floor((n * frames - begin) / 20000)))
       if (attitudes.subarray(4 * i, 4 * i + 4).some((q) => q !== 0)) points.push(place(this.data, places, i));
     const ends = [0, 1, 2].map((c) => points.map((p) => p[c]).sort((a, b) => a - b));
-    const share = this.data.walls.length > 1 ? 0 : 0.01, margin = 0.5 * Math.max(...this.data.stones.longest);
+    const share = isHeap ? 0.01 : 0, margin = 0.35 * Math.max(...this.data.stones.mean_size);
     const low = ends.map((e) => e[Math.floor(share * e.length)] - margin);
     const high = ends.map((e) => e[Math.ceil((1 - share) * e.length) - 1] + margin);
     if (this.data.geogrid) {
@@ -38,7 +38,19 @@ class Replay {
       for (let i = 0; i < ribs.length / 3; ++i)
         place(this.data, ribs, i).forEach((x, c) => { low[c] = Math.min(low[c], x); high[c] = Math.max(high[c], x); });
     }
+    this.reachWalls(low, high);
     return {low, high};
+  }
+
+  // Up to walls that are just outside.
+  reachWalls(low, high) {
+    const near = 0.05; // [m]
+    for (const wall of this.data.walls)
+      wall.corners[0].forEach((x, k) => {
+        const c = k % 3;
+        if (x < low[c] && x > low[c] - near) low[c] = x;
+        if (x > high[c] && x < high[c] + near) high[c] = x;
+      });
   }
 
   addRibs(geogrid) {
@@ -65,7 +77,7 @@ class Replay {
   update() {
     const frame = this.frame, isCut = this.isCut();
     const colour = this.byWay ? (i) => colourAt("way", this.stones.way(frame, i) / this.longestWay) : (i) => this.stoneColours[i];
-    this.stones.update(frame, isCut, colour, this.isSlow && this.isMoving);
+    this.stones.update(frame, isCut, colour, this.scene.isSlow && this.isMoving);
     this.stones.select(this.selected, frame);
     if (this.contacts) this.contacts.update(frame, isCut);
     if (this.ribs) this.updateRibs(frame);
@@ -80,11 +92,11 @@ class Replay {
                      (e) => this.axial[frame * elements + e], this.limit);
   }
 
-  // Where a picture takes longer than the eye notices, stones are coarser as long as something moves.
+  // Where pictures take long, stones are coarser as long as something moves.
   move(isMoving) {
     if (this.isMoving === isMoving) return;
     this.isMoving = isMoving;
-    if (this.isSlow) this.update();
+    if (this.scene.isSlow) this.update();
   }
 
   show(frame) {
@@ -95,12 +107,12 @@ class Replay {
   legends() {
     const list = [];
     if (this.ribs)
-      list.push(legend("axial force in ribs [N], tension is positive", "signed", [-this.limit, 0, this.limit].map(threeDigits)));
+      list.push(legend("axial force in ribs [N], tension is positive", "signed", signedNumbers(this.limit)));
     if (this.byWay)
       list.push(legend("way of the stone [mm]", "way", [0, 500 * this.longestWay, 1000 * this.longestWay].map(threeDigits)));
     if (this.contacts && this.contacts.mesh.visible)
       list.push(legend("contact force [N], by colour and thickness", "force",
-                       [0, 0.5 * this.contacts.reference, this.contacts.reference].map(threeDigits)));
+                       [threeDigits(0), threeDigits(0.5 * this.contacts.reference), threeDigits(this.contacts.reference) + " and more"]));
     fillLegends(list);
   }
 
@@ -142,13 +154,6 @@ class Replay {
     rows.push(["way", `${threeDigits(1e3 * this.stones.way(this.frame, i))} mm`]);
     const what = stones.is_load[i] ? "Load" : "Stone";
     box.replaceChildren(element("b", {}, `${what} ${stones.ids[i]}`), ` (${stones.names[shape]})`, table(null, rows));
-  }
-
-  // Of the present frame, the last pixel included.
-  findOutSpeed() {
-    const slowest = 30; // [ms]
-    this.isSlow = false;
-    this.isSlow = measurePictures(this, 2) > slowest;
   }
 }
 

@@ -28,7 +28,7 @@ class Ribs {
       const middle = a.add(b).multiplyScalar(0.5);
       matrix.makeBasis(along, across, normal).setPosition(middle);
       this.mesh.setMatrixAt(e, matrix);
-      colours.array.set(colourAt("signed", 0.5 + (0.5 * value(e)) / limit), 3 * e);
+      colours.array.set(colourAt("signed", signedShare(value(e) / limit)), 3 * e);
     }
     this.mesh.instanceMatrix.needsUpdate = true;
     colours.needsUpdate = true;

@@ -1,8 +1,16 @@
+// A renderer without a graphics card: pictures take ten times as long.
+function isSoftware() {
+  const gl = document.createElement("canvas").getContext("webgl");
+  const info = gl && gl.getExtension("WEBGL_debug_renderer_info");
+  return !!info && /swiftshader|llvmpipe|software/i.test(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
+}
+
 // Camera, outlines of walls, views. Draws when something has changed, not all the time.
 class Scene {
   constructor(canvas, low, high) {
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false});
+    this.isSlow = isSoftware();
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: !this.isSlow});
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(28, 1, 0.005, 100);
     this.camera.up.set(0, 0, 1);
@@ -48,7 +56,7 @@ class Scene {
 
   // From where all corners of the box are in the picture.
   distance() {
-    const tangent = Math.tan((this.camera.fov * Math.PI) / 360) * 0.92, inverse = this.camera.quaternion.clone().inverse();
+    const tangent = Math.tan((this.camera.fov * Math.PI) / 360) * 0.98, inverse = this.camera.quaternion.clone().inverse();
     let distance = 0;
     for (const x of [-1, 1]) for (const y of [-1, 1]) for (const z of [-1, 1]) {
       const corner = new THREE.Vector3(x, y, z).multiply(this.half).applyQuaternion(inverse);

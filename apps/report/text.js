@@ -21,27 +21,30 @@ function card(title, ...content) {
 
 const folded = (title, text) => element("details", {class: "card wide"}, element("summary", {}, title), element("pre", {}, text));
 
+const withUnit = ([name, value, unit]) => [name, `${value} ${unit}`];
+
 function fillHead(data) {
   const numbers = data.main.map(([name, value, unit]) =>
     element("div", {}, element("b", {}, `${value} ${unit}`), element("span", {}, name)));
   document.getElementById("head").append(
     element("h1", {}, data.title), element("p", {}, data.state),
     ...(data.not_usable ? [element("p", {class: "warning"}, "Not to be used: " + data.not_usable)] : []),
+    ...(data.warnings.length ? [element("p", {}, element("a", {href: "#warnings"}, `${data.warnings.length} warning${data.warnings.length > 1 ? "s" : ""}, below`))] : []),
     element("div", {class: "numbers"}, ...numbers));
 }
 
 function fillTexts(data) {
   const cards = [...(data.cards || []).map((each) => card(each.title, tableOf(each)))];
   if (data.warnings.length)
-    cards.push(card("Warnings", ...data.warnings.map((text) => element("p", {class: "warning"}, text))));
-  if (data.results.length) cards.push(card("Results", element("div", {class: "scroll"}, table(null, data.results, [1]))));
+    cards.push(card(element("span", {id: "warnings"}, "Warnings"), ...data.warnings.map((text) => element("p", {class: "warning"}, text))));
+  if (data.results.length) cards.push(card("Results", element("div", {class: "scroll"}, table(null, data.results.map(withUnit), [1]))));
   if (data.energy.length)
-    cards.push(card("Energy ledger at the end", element("div", {class: "scroll"}, table(null, data.energy, [1]))));
+    cards.push(card("Energy ledger at the end", element("div", {class: "scroll"}, table(null, data.energy.map(withUnit), [1]))));
   if (data.stages.length)
-    cards.push(card("Stages", table(["stage", "simulated time", "steps", "took"], data.stages, [2, 3])));
+    cards.push(card("Stages", table(["stage", "simulated time", "steps", "took"], data.stages, [1, 2, 3])));
   if (data.identity.length) cards.push(card("This run", table(null, data.identity)));
   if (data.cite) cards.push(card("How to cite", element("p", {}, data.cite)));
-  cards.push(card("Keys", keyHelp()));
+  if (!("missing" in data.replay)) cards.push(card("Keys", keyHelp(data.replay.pieces ? KEYS.slice(0, 4) : KEYS)));
   if (data.inputs) cards.push(folded("Inputs (used.prm)", data.inputs));
   if (data.log) cards.push(folded("Log (run.log)", data.log));
   if (data.citation_file) cards.push(folded("CITATION.cff", data.citation_file));
@@ -50,7 +53,7 @@ function fillTexts(data) {
 
 // A table of a study; a cell {text, link} leads to the page of a run.
 function tableOf(each) {
-  const cell = (content) => (content && content.link ? element("a", {href: content.link}, content.text) : content);
+  const cell = (content) => (content !== null && typeof content === "object" ? element("a", {href: content.link}, content.text) : content);
   const box = element("div", {class: "scroll"}, table(each.head, each.rows.map((row) => row.map(cell)), each.numbers));
   if (each.note) box.prepend(element("p", {class: "note"}, each.note));
   return box;
@@ -62,7 +65,7 @@ const KEYS = [
   ["W", "stones by the way they went"], ["C", "contact forces"], ["K", "cut on or off"], ["[ ]", "move the cut"],
   ["Esc", "let go of the stone"]];
 
-function keyHelp() {
-  return table(null, KEYS.map(([keys, what]) =>
+function keyHelp(keys) {
+  return table(null, keys.map(([keys, what]) =>
     [element("span", {}, ...keys.split(" ").flatMap((key) => [element("kbd", {}, key), " "])), what]));
 }
