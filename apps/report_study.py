@@ -63,7 +63,8 @@ def table(title, rows, columns, note=""):
     """A card with these columns of the rows, numbers short."""
     if not rows:
         return []
-    cells = [[row[name] if isinstance(row.get(name), dict) else short(row.get(name, "")) for name in columns]
+    cells = [[row[name] if isinstance(row.get(name), dict) else
+              short(row.get(name, "")).replace("_", " " if name == "measure" else "_") for name in columns]
              for row in rows[:MOST_ROWS]]
     numbers = [c for c in range(len(columns)) if all(is_number(row[c]) for row in cells)]
     if len(rows) > MOST_ROWS:

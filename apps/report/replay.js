@@ -107,7 +107,7 @@ class Replay {
   legends() {
     const list = [];
     if (this.ribs)
-      list.push(legend("axial force in ribs [N], tension is positive", "signed", signedNumbers(this.limit)));
+      list.push(legend("axial force in ribs [N], tension positive", "signed", signedNumbers(this.limit)));
     if (this.byWay)
       list.push(legend("way of the stone [mm]", "way", [0, 500 * this.longestWay, 1000 * this.longestWay].map(threeDigits)));
     if (this.contacts && this.contacts.mesh.visible)

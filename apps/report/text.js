@@ -34,7 +34,11 @@ function fillHead(data) {
 }
 
 function fillTexts(data) {
-  const cards = [...(data.cards || []).map((each) => card(each.title, tableOf(each)))];
+  const cards = [...(data.cards || []).map((each) => {
+    const node = card(each.title, tableOf(each));
+    if (each.wide) node.classList.add("wide");
+    return node;
+  })];
   if (data.warnings.length)
     cards.push(card(element("span", {id: "warnings"}, "Warnings"), ...data.warnings.map((text) => element("p", {class: "warning"}, text))));
   if (data.results.length) cards.push(card("Results", element("div", {class: "scroll"}, table(null, data.results.map(withUnit), [1]))));

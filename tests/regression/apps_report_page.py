@@ -1,0 +1,162 @@
+"""report.html of a whole small run, opened in a browser as a reader does: from disk, without a network.
+
+Fails when a run leaves no page, when stones are drawn elsewhere, turned otherwise or with another surface than they
+have, when the page has an error, when the slider or a key does not move stones, geogrid and curves, when a click names
+another stone than the one that lies there, or when the page does not fit a phone.
+What is right is read from the state on disk (checkpoint.h5), which the page's stones are not placed from.
+Run by ctest: apps_report_page.py PROGRAM
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PROGRAM = os.path.abspath(sys.argv.pop())
+sys.path[:0] = [os.path.dirname(HERE), os.path.join(HERE, "..", "..", "apps")]
+import field_series
+import report_stones
+from page_in_browser import PHONE, Browser
+
+# Places and attitudes of all stones as the page unpacks them, in the last frame.
+POSES = """
+const {replay} = report, stones = replay.stones, last = report.moments.length - 1, poses = [];
+for (let i = 0; i < stones.count; ++i) {
+  const matrix = stones.matrix(last, i, new THREE.Matrix4());
+  poses.push([replay.data.stones.ids[i], stones.isThere(last, i), matrix.elements]);
+}
+return poses;"""
+# The product of projection and view, by columns, and the canvas in the page.
+CAMERA = """
+const {camera, canvas} = report.replay.scene, box = canvas.getBoundingClientRect();
+camera.updateMatrixWorld();
+const all = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+return [all.elements, box.left, box.top, box.width, box.height];"""
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.run_folder = os.path.join(cls.temporary.name, "run")
+        ending = subprocess.run([PROGRAM, "run", os.path.join(HERE, "tiny_pull_out.prm"), "--output", cls.run_folder],
+                                capture_output=True, text=True)
+        assert ending.returncode == 0, ending.stdout + ending.stderr
+        cls.page = os.path.join(cls.run_folder, "report.html")
+        with h5py.File(os.path.join(cls.run_folder, "checkpoint.h5"), "r") as state:
+            clumps = state[report_stones.CLUMPS]
+            cls.ids, cls.position, cls.attitude = (clumps[name][:] for name in ("id", "position", "orientation"))
+            cls.unit_inertia = [clumps[f"shapes/{k}/unit_inertia"][0] for k in range(6)]
+            cls.volume = [clumps[f"shapes/{k}/volume"][0] for k in range(6)]
+        cls.ids = cls.ids.ravel().astype(int)
+        cls.browser = Browser()
+        cls.browser.open(cls.page)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.driver.quit()
+        cls.temporary.cleanup()
+
+    def setUp(self):
+        self.browser.run("report.show(report.moments.length - 1); report.replay.cut.axis = 'off'; report.replay.update();")
+
+    def test_no_complaints_and_one_file(self):
+        self.assertEqual(self.browser.complaints(), [])
+        self.assertEqual(self.browser.run("return performance.getEntriesByType('resource').length"), 0)
+        self.assertFalse(os.path.exists(self.page + ".part"))
+
+    def test_stones_are_where_they_are(self):
+        poses = {pose[0]: np.reshape(pose[2], (4, 4)).T for pose in self.browser.run(POSES) if pose[1]}
+        self.assertEqual(sorted(poses), sorted(self.ids.tolist()))
+        for stone, place, quaternion in zip(self.ids, self.position, self.attitude):
+            matrix = poses[stone]
+            # Steps of 16 bits over a box of some 0.2 m; frames are in single precision.
+            np.testing.assert_allclose(matrix[:3, 3], place, atol=1e-5)
+            axes = np.stack([report_stones.rotated(quaternion[None], axis)[0] for axis in np.eye(3)], axis=1)
+            np.testing.assert_allclose(matrix[:3, :3], axes, atol=1e-3)
+
+    def test_surfaces_are_those_of_the_stones(self):
+        shapes = self.browser.run("""return report.replay.stones.fine.map((shape) =>
+            [Array.from(shape.attributes.position.array), Array.from(shape.index.array)]);""")
+        self.assertIn("their own closed surfaces", self.browser.run("return document.getElementById('about').textContent"))
+        for (vertices, triangles), volume, inertia in zip(shapes, self.volume, self.unit_inertia):
+            corners = np.reshape(vertices, (-1, 3))[np.reshape(triangles, (-1, 3))]
+            parts = np.linalg.det(corners) / 6  # signed tetrahedra
+            self.assertLessEqual(len(corners), 300)
+            self.assertAlmostEqual(parts.sum() / volume, 1, delta=0.03)  # decimated
+            centre = (parts[:, None] * corners.sum(axis=1) / 4).sum(axis=0) / parts.sum()
+            self.assertLess(np.linalg.norm(centre), 0.03 * volume ** (1 / 3))  # the body frame begins there
+            second = np.einsum("t,tik,til->kl", parts / 20, corners, corners) + np.einsum(
+                "t,tk,tl->kl", parts / 20, corners.sum(axis=1), corners.sum(axis=1))
+            moments = np.trace(second) * np.eye(3) - second
+            np.testing.assert_allclose(np.diag(moments), inertia, rtol=0.06)  # along its axes
+            self.assertLess(np.abs(moments - np.diag(np.diag(moments))).max(), 0.06 * inertia.max())
+
+    def test_slider_moves_stones_geogrid_and_curves(self):
+        what = """return [Array.from(report.replay.stones.centre), Array.from(report.replay.ribs.mesh.instanceMatrix.array),
+                          document.getElementById('now').textContent];"""
+        last = self.browser.run(what)
+        self.browser.run("""const slider = document.getElementById('slider');
+            slider.value = 0; slider.dispatchEvent(new Event('input')); slider.dispatchEvent(new Event('change'));""")
+        first = self.browser.run(what)
+        self.assertGreater(np.abs(np.subtract(first[0], last[0])).max(), 1e-4)
+        # Pulled by 3 mm towards -x.
+        self.assertAlmostEqual(np.min(first[1][12::16]) - np.min(last[1][12::16]), 3e-3, delta=2e-4)
+        self.assertIn("0.0 mm", first[2])
+        self.assertIn("3.0 mm", last[2])
+        self.browser.key("ArrowRight")
+        self.assertIn("frame 2 of 4", self.browser.run(what)[2])
+        self.browser.key("End")
+        self.assertEqual(self.browser.run(what), last)
+
+    def test_a_click_names_the_stone_that_lies_there(self):
+        for view in ("1", "2", "3", "0"):
+            self.browser.key(view)
+            elements, left, top, width, height = self.browser.run(CAMERA)
+            camera = np.reshape(elements, (4, 4)).T
+            seen = np.concatenate([self.position, np.ones((len(self.ids), 1))], axis=1) @ camera.T
+            nearest = int(np.argmin(seen[:, 3]))  # nothing is in front of the middle of the stone nearest to the eye
+            x, y = seen[nearest, :2] / seen[nearest, 3]
+            self.browser.click(left + 0.5 * width * (1 + x), top + 0.5 * height * (1 - y))
+            told = self.browser.run("return document.getElementById('stone').innerText")
+            self.assertTrue(told.startswith(f"Stone {self.ids[nearest]} "), (view, told))
+        self.browser.key("Escape")
+        self.assertTrue(self.browser.run("return document.getElementById('stone').hidden"))
+
+    def test_contacts_of_a_stone(self):
+        series = field_series.open_series(self.run_folder, "contacts")
+        frame = len(series) - 1
+        bodies, kind = series.attribute(frame, "body")[series.lines(frame)], series.attribute(frame, "kind")
+        stone = int(bodies[0, 0])
+        expected = [int(np.sum((kind == k) & ((bodies[:, 0] == stone) | ((k == 0) & (bodies[:, 1] == stone)))))
+                    for k in range(3)]
+        found = self.browser.run("""const {replay} = report;
+            return replay.contacts.count(report.moments.length - 1, replay.data.stones.ids.indexOf(arguments[0]));""", stone)
+        self.assertEqual(found, expected)
+
+    def test_keys_change_what_is_shown(self):
+        shown = "return [report.replay.stones.mode, report.replay.contacts.mesh.visible, report.replay.byWay, report.replay.cut.axis]"
+        self.assertEqual(self.browser.run(shown), ["solid", False, False, "off"])
+        for key in "cwk":
+            self.browser.key(key)
+        self.assertEqual(self.browser.run(shown), ["faint", True, True, "y"])
+        self.assertIn("contact force [N]", self.browser.run("return document.getElementById('legends').innerText"))
+        for key in "cw":
+            self.browser.key(key)
+        self.assertEqual(self.browser.run(shown), ["solid", False, False, "y"])
+
+    def test_fits_a_phone(self):
+        with Browser(PHONE, is_dark=True) as phone:
+            phone.open(self.page)
+            self.assertEqual(phone.complaints(), [])
+            self.assertLessEqual(phone.run("return document.documentElement.scrollWidth"), PHONE[0])
+            self.assertNotEqual(phone.run("return getComputedStyle(document.body).backgroundColor"), "rgb(255, 255, 255)")
+
+
+if __name__ == "__main__":
+    unittest.main()
