@@ -22,7 +22,7 @@ from run_files import InputError, find_result, read_history, read_parameters, re
 
 LIBRARIES = "/usr/share/javascript"
 # In this order; what the last ones need comes first.
-SCRIPTS = ["unpack.js", "colours.js", "text.js", "charts.js", "stones.js", "ribs.js", "contacts.js", "scene.js",
+SCRIPTS = ["unpack.js", "colours.js", "text.js", "charts.js", "copies.js", "stones.js", "ribs.js", "contacts.js", "scene.js",
            "legends.js", "replay.js", "pieces.js", "tools.js", "page.js"]
 
 

@@ -11,22 +11,20 @@ class Contacts {
     // One outlier must not thin all the others.
     this.reference = quantile(this.force, 0.995) || 1;
     const most = Math.max(1, ...this.starts.slice(1).map((start, k) => start - this.starts[k]));
-    const geometry = new THREE.CylinderBufferGeometry(1, 1, 1, 6, 1, true).rotateX(Math.PI / 2);
-    geometry.setAttribute("color", new THREE.InstancedBufferAttribute(new Float32Array(3 * most), 3));
+    this.rod = new THREE.CylinderBufferGeometry(1, 1, 1, 6, 1, true).rotateX(Math.PI / 2);
     const material = new THREE.MeshBasicMaterial({vertexColors: THREE.VertexColors});
-    this.mesh = new THREE.InstancedMesh(geometry, material, most);
-    this.mesh.frustumCulled = false;
+    this.copies = new Copies(scene, material, most * this.rod.attributes.position.count, most * this.rod.index.count);
+    this.mesh = this.copies.mesh;
     this.mesh.visible = false;
-    scene.add(this.mesh);
   }
 
   // Contacts below a hundredth of the reference are too thin to be seen.
   update(frame, isCut) {
     if (!this.mesh.visible) return;
-    const thickest = 0.0022, colours = this.mesh.geometry.attributes.color; // [m]
+    const thickest = 0.0022; // [m]
     const matrix = new THREE.Matrix4(), turn = new THREE.Quaternion(), axis = new THREE.Vector3();
     const ahead = new THREE.Vector3(0, 0, 1);
-    let n = 0;
+    this.copies.begin();
     for (let k = this.starts[frame]; k < this.starts[frame + 1]; ++k) {
       const share = this.force[k] / this.reference;
       if (share < 0.01) continue;
@@ -37,13 +35,10 @@ class Contacts {
       if (length === 0 || isCut(middle.x, middle.y, middle.z)) continue;
       const radius = thickest * Math.min(Math.max(share, 0.06), 1.5);
       turn.setFromUnitVectors(ahead, axis.divideScalar(length));
-      this.mesh.setMatrixAt(n, matrix.compose(middle, turn, new THREE.Vector3(radius, radius, length)));
-      colours.array.set(colourAt("force", share), 3 * n);
-      ++n;
+      matrix.compose(middle, turn, new THREE.Vector3(radius, radius, length));
+      this.copies.add(this.rod, matrix, colourAt("force", share));
     }
-    this.mesh.count = n;
-    this.mesh.instanceMatrix.needsUpdate = true;
-    colours.needsUpdate = true;
+    this.copies.end();
   }
 
   // With how many stones, walls and ribs the stone is in touch.

@@ -58,5 +58,6 @@ function pieceTools(replay) {
     replay.show(replay.index);
   }}, ...[1, 3, 10, 30].map((times) => element("option", {value: times}, times === 1 ? "true displacements" : `displacements x ${times}`)));
   document.getElementById("tools").append(viewButtons(replay), element("span", {}, factor));
+  tellKeys("Keys: ← → tests, Space plays, 1 2 3 0 views.");
   return viewKeys(replay);
 }

@@ -3,22 +3,19 @@ class Ribs {
   constructor(scene, most, width, thickness) {
     this.width = width;
     this.thickness = thickness;
-    const geometry = new THREE.BoxBufferGeometry(1, 1, 1);
-    geometry.setAttribute("color", new THREE.InstancedBufferAttribute(new Float32Array(3 * most), 3));
-    // Unlit, so that a colour is that of the legend.
-    const material = new THREE.MeshBasicMaterial({vertexColors: THREE.VertexColors});
-    this.mesh = new THREE.InstancedMesh(geometry, material, most);
-    this.mesh.frustumCulled = false;
-    scene.add(this.mesh);
+    this.box = new THREE.BoxBufferGeometry(1, 1, 1);
+    const material = new THREE.MeshBasicMaterial({vertexColors: THREE.VertexColors}); // unlit, as in the legend
+    this.copies = new Copies(scene, material, most * this.box.attributes.position.count, most * this.box.index.count);
+    this.mesh = this.copies.mesh;
   }
 
   // `point(n)` is the place of node n, `value(e)` the force of element e, `limit` where the scale ends.
   update(lines, point, value, limit) {
-    const matrix = new THREE.Matrix4(), colours = this.mesh.geometry.attributes.color;
+    const matrix = new THREE.Matrix4();
     const up = new THREE.Vector3(0, 0, 1), along = new THREE.Vector3();
     const across = new THREE.Vector3(), normal = new THREE.Vector3();
-    this.mesh.count = lines.length / 2;
-    for (let e = 0; e < this.mesh.count; ++e) {
+    this.copies.begin();
+    for (let e = 0; e < lines.length / 2; ++e) {
       const a = new THREE.Vector3(...point(lines[2 * e])), b = new THREE.Vector3(...point(lines[2 * e + 1]));
       along.subVectors(b, a);
       across.crossVectors(up, along);
@@ -27,10 +24,8 @@ class Ribs {
       normal.crossVectors(along, across).setLength(this.thickness);
       const middle = a.add(b).multiplyScalar(0.5);
       matrix.makeBasis(along, across, normal).setPosition(middle);
-      this.mesh.setMatrixAt(e, matrix);
-      colours.array.set(colourAt("signed", signedShare(value(e) / limit)), 3 * e);
+      this.copies.add(this.box, matrix, colourAt("signed", signedShare(value(e) / limit)));
     }
-    this.mesh.instanceMatrix.needsUpdate = true;
-    colours.needsUpdate = true;
+    this.copies.end();
   }
 }

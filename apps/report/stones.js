@@ -1,5 +1,4 @@
-// The stones as one mesh, moved by this program: software renderers draw 90,000 triangles of one mesh in a third of the
-// time that they take for as many of 270 instances (tests/performance/report_page.py). Who is hidden, who is hit.
+// The stones: where they are, which are hidden, which one is hit.
 const STONE_SHADERS = {
   vertexShader: `
     varying vec3 shade, seen;
@@ -35,12 +34,14 @@ class Stones {
     this.coarse = replay.shapes.map((shape) => this.geometry(shape.coarse)); // while things move, where that is slow
     this.material = new THREE.ShaderMaterial({...STONE_SHADERS, vertexColors: THREE.VertexColors,
       uniforms: {opacity: {value: 1}}, extensions: {derivatives: true}});
-    this.mesh = new THREE.Mesh(this.emptyGeometry(), this.material);
-    this.mesh.frustumCulled = false;
+    const sum = (size) => this.shape.reduce((total, k) => total + size(this.fine[k]), 0);
+    this.copies = new Copies(scene, this.material, sum((shape) => shape.attributes.position.count),
+                             sum((shape) => shape.index.count));
+    this.mesh = this.copies.mesh;
     this.outline = new THREE.Mesh(undefined, new THREE.MeshBasicMaterial({color: 0xd55e00, side: THREE.BackSide}));
     this.outline.matrixAutoUpdate = false;
     this.outline.visible = false;
-    scene.add(this.mesh, this.outline);
+    scene.add(this.outline);
   }
 
   geometry({vertices, triangles}) {
@@ -48,17 +49,6 @@ class Stones {
     geometry.setAttribute("position", new THREE.BufferAttribute(unpack(vertices), 3));
     geometry.setIndex(new THREE.BufferAttribute(unpack(triangles), 1));
     geometry.computeBoundingSphere();
-    return geometry;
-  }
-
-  emptyGeometry() {
-    const sum = (size) => this.shape.reduce((total, k) => total + size(this.fine[k]), 0);
-    const vertices = sum((shape) => shape.attributes.position.count), corners = sum((shape) => shape.index.count);
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3 * vertices), 3));
-    geometry.setAttribute("color", new THREE.BufferAttribute(new Uint8Array(3 * vertices), 3, true));
-    geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(corners), 1));
-    for (const attribute of [...Object.values(geometry.attributes), geometry.index]) attribute.setUsage(THREE.DynamicDrawUsage);
     return geometry;
   }
 
@@ -96,34 +86,15 @@ class Stones {
 
   // `isCut(x, y, z)` hides a stone with its centre there; `colour(i)` is red, green, blue.
   update(frame, isCut, colour, isCoarse) {
-    const {position, color} = this.mesh.geometry.attributes, index = this.mesh.geometry.index;
     const shapes = isCoarse ? this.coarse : this.fine, matrix = new THREE.Matrix4();
-    let vertices = 0, corners = 0;
+    this.copies.begin();
     for (let i = 0; i < this.count; ++i) {
       const centre = place(this.replay, this.places, frame * this.count + i);
       this.centre.set(centre, 3 * i);
       this.visible[i] = this.isThere(frame, i) && !isCut(...centre) ? 1 : 0;
-      if (!this.visible[i]) continue;
-      const shape = shapes[this.shape[i]], own = shape.index.array, count = shape.attributes.position.count;
-      for (let k = 0; k < own.length; ++k) index.array[corners++] = vertices + own[k];
-      this.move(shape.attributes.position.array, this.matrix(frame, i, matrix).elements, position.array, 3 * vertices);
-      const shade = colour(i).map((value) => 255 * Math.min(value, 1));
-      for (let k = 0; k < count; ++k, ++vertices) color.array.set(shade, 3 * vertices);
+      if (this.visible[i]) this.copies.add(shapes[this.shape[i]], this.matrix(frame, i, matrix), colour(i));
     }
-    this.mesh.geometry.setDrawRange(0, corners);
-    for (const [attribute, used] of [[position, 3 * vertices], [color, 3 * vertices], [index, corners]]) {
-      attribute.updateRange = {offset: 0, count: used};
-      attribute.needsUpdate = used > 0;
-    }
-  }
-
-  move(own, m, result, at) {
-    for (let k = 0; k < own.length; k += 3, at += 3) {
-      const x = own[k], y = own[k + 1], z = own[k + 2];
-      result[at] = m[0] * x + m[4] * y + m[8] * z + m[12];
-      result[at + 1] = m[1] * x + m[5] * y + m[9] * z + m[13];
-      result[at + 2] = m[2] * x + m[6] * y + m[10] * z + m[14];
-    }
+    this.copies.end();
   }
 
   // solid, faint or hidden

@@ -11,7 +11,12 @@ function viewButtons(replay) {
 
 const viewKeys = (replay) => Object.fromEntries(VIEWS.map(([key, name]) => [key, () => replay.scene.view(name)]));
 
+function tellKeys(text) {
+  document.getElementById("help").textContent = text;
+}
+
 function stoneTools(replay) {
+  tellKeys("Click a stone for its numbers. Keys: ← → frames, Space plays, 1 2 3 0 views, S stones, W way, C forces, K cut; all of them below.");
   const modes = ["solid", "faint", "hidden"];
   const press = (node, on) => node.setAttribute("aria-pressed", on);
   const refresh = () => { replay.legends(); replay.update(); };
