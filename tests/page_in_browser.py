@@ -15,10 +15,10 @@ DESKTOP, PHONE = (1400, 1000, False), (390, 844, True)
 
 
 class Browser:
-    def __init__(self, size=DESKTOP, is_dark=False):
+    def __init__(self, size=DESKTOP, is_dark=False, more=()):
         options = webdriver.chrome.options.Options()
         options.binary_location = "/usr/bin/chromium"
-        for argument in ARGUMENTS + [f"--window-size={size[0]},{size[1]}"]:
+        for argument in [*ARGUMENTS, f"--window-size={size[0]},{size[1]}", *more]:
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         service = webdriver.chrome.service.Service("/usr/bin/chromedriver")

@@ -2,7 +2,8 @@
 
 Fails when a run leaves no page, when stones are drawn elsewhere, turned otherwise or with another surface than they
 have, when the page has an error, when the slider or a key does not move stones, geogrid and curves, when a click names
-another stone than the one that lies there, or when the page does not fit a phone.
+another stone than the one that lies there, when the page does not fit a phone, or
+shows nothing without WebGL.
 What is right is read from the state on disk (checkpoint.h5), which the page's stones are not placed from.
 Run by ctest: apps_report_page.py PROGRAM
 """
@@ -39,6 +40,11 @@ const all = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera
 return [all.elements, box.left, box.top, box.width, box.height];"""
 
 
+def misfit(points, centres, radii):
+    """The root mean square distance of points from the surface of the spheres [m]."""
+    return np.sqrt(np.mean(np.min(np.linalg.norm(points[:, None] - centres, axis=2) - radii.ravel(), axis=1) ** 2))
+
+
 class Page(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -52,6 +58,7 @@ class Page(unittest.TestCase):
             clumps = state[report_stones.CLUMPS]
             cls.ids, cls.position, cls.attitude = (clumps[name][:] for name in ("id", "position", "orientation"))
             cls.unit_inertia = [clumps[f"shapes/{k}/unit_inertia"][0] for k in range(6)]
+            cls.spheres = [tuple(clumps[f"shapes/{k}/spheres/{name}"][:] for name in ("centre", "radius")) for k in range(6)]
             cls.volume = [clumps[f"shapes/{k}/volume"][0] for k in range(6)]
         cls.ids = cls.ids.ravel().astype(int)
         cls.browser = Browser()
@@ -84,7 +91,7 @@ class Page(unittest.TestCase):
         shapes = self.browser.run("""return report.replay.stones.fine.map((shape) =>
             [Array.from(shape.attributes.position.array), Array.from(shape.index.array)]);""")
         self.assertIn("their own closed surfaces", self.browser.run("return document.getElementById('about').textContent"))
-        for (vertices, triangles), volume, inertia in zip(shapes, self.volume, self.unit_inertia):
+        for (vertices, triangles), volume, inertia, spheres in zip(shapes, self.volume, self.unit_inertia, self.spheres):
             corners = np.reshape(vertices, (-1, 3))[np.reshape(triangles, (-1, 3))]
             parts = np.linalg.det(corners) / 6  # signed tetrahedra
             self.assertLessEqual(len(corners), 300)
@@ -96,6 +103,11 @@ class Page(unittest.TestCase):
             moments = np.trace(second) * np.eye(3) - second
             np.testing.assert_allclose(np.diag(moments), inertia, rtol=0.06)  # along its axes
             self.assertLess(np.abs(moments - np.diag(np.diag(moments))).max(), 0.06 * inertia.max())
+
+            # Half a turn about an axis of the body keeps all of that, but not how far the spheres are from the surface.
+            misfits = [misfit(np.reshape(vertices, (-1, 3)) * turn, *spheres)
+                       for turn in ([1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1])]
+            self.assertEqual(np.argmin(misfits), 0, misfits)
 
     def test_slider_moves_stones_geogrid_and_curves(self):
         what = """return [Array.from(report.replay.stones.centre), Array.from(report.replay.ribs.mesh.geometry.attributes.position.array),
@@ -149,6 +161,14 @@ class Page(unittest.TestCase):
         for key in "cw":
             self.browser.key(key)
         self.assertEqual(self.browser.run(shown), ["solid", False, False, "y"])
+
+    def test_without_webgl_the_rest_is_there(self):
+        with Browser(more=["--disable-3d-apis"]) as browser:
+            browser.open(self.page)
+            self.assertIn("needs WebGL", browser.run("return document.getElementById('replay').innerText"))
+            self.assertGreater(browser.run("return document.querySelectorAll('.chart canvas').length"), 1)
+            browser.key("End")
+            self.assertIn("3.0 mm", browser.run("return document.getElementById('now').textContent"))
 
     def test_fits_a_phone(self):
         with Browser(PHONE, is_dark=True) as phone:
