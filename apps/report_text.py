@@ -110,7 +110,7 @@ def texts(run, experiment, summary, parameters):
     if not summary:
         warnings = [row[len("warning: "):] for row in log.splitlines() if row.startswith("warning: ")]
     if summary:
-        state = f"finished: {summary['steps']:,} steps in {duration(summary['wall_time_s'])}".replace(",", " ")
+        state = f"finished: {summary.get('steps', 0):,} steps in {duration(summary.get('wall_time_s', 0))}".replace(",", " ")
     else:
         stopped = [row for row in log.splitlines() if row.startswith("Stopped: ")]
         state = stopped[-1] if stopped else "not finished: this page shows what there was when it was made"

@@ -2,8 +2,9 @@
 
 #include "apps/parameter_file.h"
 #include "coupling/files/atomic_file.h"
-#include "coupling/stones/stone_shapes.h"
+#include "coupling/stones/stone_scans.h"
 #include "dem/meshes/decimation.h"
+#include "dem/meshes/mass_properties.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,13 +34,12 @@ nlohmann::json to_json(const dem::TriangleMesh& mesh)
   return {{"vertices", vertices}, {"triangles", triangles}};
 }
 
-nlohmann::json to_json(const dem::ClumpShape& shape, const dem::TriangleMesh& mesh)
+nlohmann::json to_json(const coupling::StoneScan& scan)
 {
-  return {{"name", shape.name},
-          {"volume", shape.volume},
-          {"spheres", shape.spheres.size()},
-          {"fine", to_json(dem::decimated(mesh, 300))},
-          {"coarse", to_json(dem::decimated(mesh, 80))}};
+  return {{"name", scan.name},
+          {"volume", dem::mass_properties(scan.mesh).volume},
+          {"fine", to_json(dem::decimated(scan.mesh, 300))},
+          {"coarse", to_json(dem::decimated(scan.mesh, 80))}};
 }
 } // namespace
 
@@ -51,16 +51,15 @@ try {
       std::visit([](const auto& p) -> const coupling::StoneParameters* { return stones_of(p, 0); },
                  input.parameters);
   if (!parameters) return "The experiment makes no stones of its own.";
-  std::vector<dem::TriangleMesh> surfaces;
-  const std::vector<coupling::Stone> stones = coupling::make_stones(*parameters, {}, &surfaces);
-  if (surfaces.empty()) return "The clumps of the run came without the surfaces of their stones.";
+  const std::vector<coupling::StoneScan> scans = coupling::scans_in_body_frames(*parameters);
+  if (scans.empty()) return "The clumps of the run came without the surfaces of their stones.";
   nlohmann::json list = nlohmann::json::array();
-  for (std::size_t k = 0; k < stones.size(); ++k)
-    list.push_back(to_json(stones[k].shape, surfaces[k]));
+  for (const coupling::StoneScan& scan : scans) list.push_back(to_json(scan));
   coupling::write_atomically(file, list.dump());
   return "";
 } catch (const std::exception& error) { // a disk that is full, too
 
-  return error.what();
+  const std::string text = error.what();
+  return text.substr(0, text.find('\n')); // the first of many errors
 }
 } // namespace interlock::apps

@@ -4,7 +4,6 @@
 #include "coupling/output/monitor.h"
 #include "coupling/parameters/stone_parameters.h"
 #include "dem/bodies/clump_shape.h"
-#include "dem/meshes/triangle_mesh.h"
 
 #include <vector>
 
@@ -40,10 +39,8 @@ template <class Archive> void exchange(Archive& archive, Stone& stone)
 // monitor.message. A folder of clumps that `interlock clump` has made (*.clump.json) is taken as it
 // is: their scans are not there, so the centre of a stone is that of mass, and its axes are
 // measured on the spheres, along the principal ones. Throws InputError when a file is not a closed
-// stone or makes no clump. `surfaces`, where it is given, receives the closed surface of each stone
-// in the body frame of its clump; none of such a folder.
-std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor,
-                               std::vector<dem::TriangleMesh>* surfaces = nullptr);
+// stone or makes no clump.
+std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor);
 
 // Whether the folder of scans holds such clumps.
 bool holds_clumps(const StoneParameters& parameters);

@@ -22,20 +22,31 @@ TriangleMesh compact(const TriangleMesh& mesh, const std::vector<unsigned>& corn
   }
   return result;
 }
-} // namespace
-
-TriangleMesh decimated(const TriangleMesh& mesh, int triangles)
+// May fold a part of the surface onto itself.
+TriangleMesh simplified(const TriangleMesh& mesh, const std::vector<float>& places,
+                        const std::vector<unsigned>& corners, int triangles)
 {
   constexpr float farthest = 0.05; // of the largest extent
-  if (mesh.triangles.size() <= static_cast<std::size_t>(triangles)) return mesh;
-  std::vector<float> places;
-  for (const Vector3& x : mesh.vertices)
-    for (int c = 0; c < 3; ++c) places.push_back(static_cast<float>(x[c]));
-  std::vector<unsigned> corners, fewer(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles) corners.insert(corners.end(), t.begin(), t.end());
+  std::vector<unsigned> fewer(corners.size());
   fewer.resize(meshopt_simplify(fewer.data(), corners.data(), corners.size(), places.data(),
                                 mesh.vertices.size(), 3 * sizeof(float), 3 * triangles, farthest, 0,
                                 nullptr));
   return compact(mesh, fewer);
+}
+} // namespace
+
+TriangleMesh decimated(const TriangleMesh& mesh, int triangles)
+{
+  std::vector<float> places;
+  for (const Vector3& x : mesh.vertices)
+    for (int c = 0; c < 3; ++c) places.push_back(static_cast<float>(x[c]));
+  std::vector<unsigned> corners;
+  for (const auto& t : mesh.triangles) corners.insert(corners.end(), t.begin(), t.end());
+  const int all = static_cast<int>(mesh.triangles.size());
+  for (int wanted = triangles; wanted < all; wanted += wanted / 10 + 2) {
+    const TriangleMesh coarse = simplified(mesh, places, corners, wanted);
+    if (count_open_edges(coarse) == 0) return coarse;
+  }
+  return mesh;
 }
 } // namespace interlock::dem

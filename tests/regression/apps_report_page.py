@@ -94,7 +94,7 @@ class Page(unittest.TestCase):
         for (vertices, triangles), volume, inertia, spheres in zip(shapes, self.volume, self.unit_inertia, self.spheres):
             corners = np.reshape(vertices, (-1, 3))[np.reshape(triangles, (-1, 3))]
             parts = np.linalg.det(corners) / 6  # signed tetrahedra
-            self.assertLessEqual(len(corners), 300)
+            self.assertLessEqual(len(corners), 330)
             self.assertAlmostEqual(parts.sum() / volume, 1, delta=0.03)  # decimated
             centre = (parts[:, None] * corners.sum(axis=1) / 4).sum(axis=0) / parts.sum()
             self.assertLess(np.linalg.norm(centre), 0.03 * volume ** (1 / 3))  # the body frame begins there

@@ -99,7 +99,7 @@ class Surfaces(unittest.TestCase):
     def test_only_what_fits_the_shape_is_taken(self):
         ball = report_surfaces.ball(1)
         mesh = {"vertices": ball[0].ravel().tolist(), "triangles": ball[1].ravel().tolist()}
-        made = [{"name": "a", "volume": 4.0, "spheres": 1, "fine": mesh, "coarse": mesh}]
+        made = [{"name": "a", "volume": 4.0, "fine": mesh, "coarse": mesh}]
         shapes = [{"name": "a", "volume": volume, "centres": np.zeros((1, 3)), "radii": np.ones(1)} for volume in (4.0, 4.1)]
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "made.json")
