@@ -61,9 +61,19 @@ def replay_of(run, arguments, parameters, history):
         return {"missing": f"The frames cannot be read ({type(error).__name__}: {error})."}
 
 
+def stages_so_far(run):
+    try:
+        from report_stones import stages
+    except ImportError:
+        return []
+    return stages(run)
+
+
 def run_page(run, arguments):
     parameters, summary = read_parameters(run), read_summary(run)
     experiment = summary.get("experiment") or parameters.get("Experiment", "pull-out")
+    if not summary:
+        summary = {"stages": stages_so_far(run)}
     is_laboratory = experiment in ("laboratory", "geogrid")
     history = {} if is_laboratory else read_history(run)
     data = report_text.texts(run, experiment, summary, parameters)

@@ -19,6 +19,20 @@ class NoReplay(Exception):
     """There is nothing to replay; the text is one full sentence."""
 
 
+def stages(run):
+    """The stages that have ended, as summary.json has them, of a run that has not."""
+    for name in STATES:
+        try:
+            with h5py.File(os.path.join(run, name), "r") as state:
+                group = state["records/stages"]
+                columns = [group[column][:].ravel().tolist() for column in ("steps", "simulated_time", "wall_time")]
+                return [{"name": stage, "steps": steps, "simulated_time_s": time, "wall_time_s": wall}
+                        for stage, steps, time, wall in zip(group["name"].asstr()[:].ravel().tolist(), *columns)]
+        except (OSError, KeyError):
+            continue
+    return []
+
+
 class Stones:
     """Every stone that a state on disk knows, ids ascending, and the shapes they share."""
 

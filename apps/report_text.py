@@ -107,9 +107,10 @@ def texts(run, experiment, summary, parameters):
     results = summary.get("results", {})
     log = read_text(os.path.join(run, "run.log"))
     warnings = list(summary.get("warnings", []))
-    if not summary:
+    finished = "results" in summary
+    if not finished:
         warnings = [row[len("warning: "):] for row in log.splitlines() if row.startswith("warning: ")]
-    if summary:
+    if finished:
         state = f"finished: {summary.get('steps', 0):,} steps in {duration(summary.get('wall_time_s', 0))}".replace(",", " ")
     else:
         stopped = [row for row in log.splitlines() if row.startswith("Stopped: ")]
@@ -118,7 +119,7 @@ def texts(run, experiment, summary, parameters):
     text = citation()
     return {
         "title": f"{experiment.capitalize()}: {os.path.basename(os.path.abspath(run))}", "experiment": experiment, "state": state,
-        "finished": bool(summary), "main": main,
+        "finished": finished, "main": main,
         "results": [result_row(name, value) for name, value in results.items() if value is not None],
         "energy": energy_rows(summary), "stages": stage_rows(summary), "warnings": warnings,
         "not_usable": summary.get("not_usable") or find_result(summary, "not_usable_because") or "",

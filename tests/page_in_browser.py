@@ -37,11 +37,17 @@ class Browser:
     def open(self, page, patience=120):
         """Returns when everything of the page is there."""
         self.driver.get("file://" + os.path.abspath(page))
+        if not self.waits_for("return window.isComplete === true", patience):
+            raise TimeoutError(f"{page}: not complete after {patience} s: {self.complaints()}")
+
+    def waits_for(self, script, patience=60):
+        """Whether the script has come out true within so many seconds."""
         end = time.monotonic() + patience
-        while not self.run("return window.isComplete === true"):
+        while not self.run(script):
             if time.monotonic() > end:
-                raise TimeoutError(f"{page}: not complete after {patience} s: {self.complaints()}")
+                return False
             time.sleep(0.05)
+        return True
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)

@@ -79,12 +79,14 @@ function axis(text) {
           grid: {color: style("grid")}};
 }
 
-function drawChart(chart, parent) {
+// `goTo(chart, x)` is called where a curve is clicked.
+function drawChart(chart, parent, goTo) {
   const canvas = element("canvas", {role: "img", "aria-label": `${chart.title}: ${chart.y} over ${chart.x}`});
   const note = chart.note ? [element("p", {class: "note"}, chart.note)] : [];
   const why = chart.from === undefined ? note : [element("p", {class: "note"}, `Hatched from ${threeDigits(chart.from)} on: not to be used. ${chart.why}`)];
   parent.append(element("div", {class: "chart"}, element("h2", {}, chart.title), element("div", {}, canvas), ...why));
   const options = {
+    onClick: (event, _, drawn) => chart.time && goTo(chart, drawn.scales.x.getValueForPixel(event.x)),
     animation: false, maintainAspectRatio: false, parsing: false, normalized: true,
     interaction: {mode: "nearest", axis: "x", intersect: false},
     scales: {x: axis(chart.x), y: axis(chart.y)},
@@ -100,15 +102,15 @@ function drawChart(chart, parent) {
   allCharts.push(chart);
 }
 
-function fillCharts(data) {
+function fillCharts(data, goTo) {
   const parent = document.getElementById("charts");
   if (data.no_charts) return parent.append(element("p", {class: "warning"}, data.no_charts));
   Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
-  for (const chart of data.charts) drawChart(chart, parent);
+  for (const chart of data.charts) drawChart(chart, parent, goTo);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     for (const chart of allCharts.splice(0)) chart.drawn.destroy();
     parent.replaceChildren();
-    fillCharts({charts: data.charts});
+    fillCharts(data, goTo);
   });
 }
 

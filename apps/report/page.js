@@ -46,6 +46,13 @@ function show(k) {
   if (window.Chart) markTime(moments[at]);
 }
 
+// The frame that belongs to a place on a curve.
+function showPlace(chart, x) {
+  const ways = moments.map((time) => Math.abs(placeAt(chart, time) - x));
+  stop();
+  show(ways.indexOf(Math.min(...ways)));
+}
+
 function stop() {
   clearInterval(playing);
   playing = 0;
@@ -65,7 +72,7 @@ const tools = replay && !data.replay.pieces ? stoneTools(replay) : replay ? piec
 
 function key(event) {
   const isOn = (what) => event.target instanceof Element && event.target.matches(what);
-  if (isOn("select, summary") || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (isOn("select, summary, #tools input") || event.ctrlKey || event.metaKey || event.altKey) return;
   const at = Number(slider.value), step = event.shiftKey ? 10 : 1;
   const actions = {ArrowRight: () => show(at + step), ArrowLeft: () => show(at - step), Home: () => show(0),
                    End: () => show(moments.length - 1), " ": playOrStop, ...tools};
@@ -91,7 +98,7 @@ if (replay) replay.scene.drawNow();
 // After the first picture: curves take as long as it does.
 setTimeout(() => {
   fillTexts(data);
-  fillCharts(data);
+  fillCharts(data, showPlace);
   show(Number(slider.value));
   window.isComplete = true;
 }, 0);

@@ -126,6 +126,15 @@ class Page(unittest.TestCase):
         self.browser.key("End")
         self.assertEqual(self.browser.run(what), last)
 
+    def test_a_click_on_a_curve_goes_there(self):
+        box = self.browser.run("""const {chartArea: area, canvas} = report.data.charts[0].drawn;
+            canvas.scrollIntoView({block: 'center'});
+            const {left, top} = canvas.getBoundingClientRect();
+            return [left + area.left, left + area.right, top + 0.5 * (area.top + area.bottom)];""")
+        self.browser.click(box[0] + 0.35 * (box[1] - box[0]), box[2])  # of 0 to 3 mm: 1 mm is nearest
+        self.assertTrue(self.browser.waits_for("return document.getElementById('now').textContent.startsWith('1.0 mm')"))
+        self.browser.run("window.scrollTo(0, 0)")
+
     def test_a_click_names_the_stone_that_lies_there(self):
         for view in ("1", "2", "3", "0"):
             self.browser.key(view)
