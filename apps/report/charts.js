@@ -107,7 +107,7 @@ function fillCharts(data, goTo) {
   if (data.no_charts) return parent.append(element("p", {class: "warning"}, data.no_charts));
   Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
   for (const chart of data.charts) drawChart(chart, parent, goTo);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+  isDark.addEventListener("change", () => {
     for (const chart of allCharts.splice(0)) chart.drawn.destroy();
     parent.replaceChildren();
     fillCharts(data, goTo);

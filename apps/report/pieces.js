@@ -5,7 +5,7 @@ class Pieces {
     this.pieces = replay.pieces.map((piece) => ({...piece, lines: unpack(piece.lines), points: unpack(piece.points),
       unloaded: unpack(piece.unloaded), values: piece.values ? unpack(piece.values) : null}));
     this.factor = 1;
-    const all = this.pieces.map((piece) => this.box(piece.points));
+    const all = this.pieces.map((piece) => this.box([...piece.points, ...piece.unloaded]));
     const low = [0, 1, 2].map((c) => Math.min(...all.map((box) => box.low[c])));
     const high = [0, 1, 2].map((c) => Math.max(...all.map((box) => box.high[c])));
     this.scene = new Scene(document.getElementById("view"), low, high);
@@ -29,7 +29,7 @@ class Pieces {
     const changed = this.index !== k || !this.scene.viewName;
     this.index = k;
     const at = (n, c) => unloaded[3 * n + c] + this.factor * (points[3 * n + c] - unloaded[3 * n + c]);
-    const {low, high} = this.box(points);
+    const {low, high} = this.box([...points, ...unloaded]);
     const largest = Math.max(...[0, 1, 2].map((c) => high[c] - low[c]));
     this.ribs.width = 0.008 * largest;
     this.ribs.thickness = 0.004 * largest;

@@ -108,7 +108,7 @@ class Replay {
     const list = [];
     if (this.ribs)
       list.push(legend("axial force in ribs [N], tension positive", "signed", signedNumbers(this.limit)));
-    if (this.byWay)
+    if (this.byWay && this.stones.mode !== "hidden")
       list.push(legend("way of the stone [mm]", "way", [0, 500 * this.longestWay, 1000 * this.longestWay].map(threeDigits)));
     if (this.contacts && this.contacts.mesh.visible)
       list.push(legend("contact force [N], by colour and thickness", "force",
@@ -128,8 +128,9 @@ class Replay {
     });
     this.scene.controls.addEventListener("start", () => this.move(true));
     this.scene.controls.addEventListener("end", () => this.move(false));
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    isDark.addEventListener("change", () => {
       this.stoneColours = this.stoneColours.map((_, i) => this.plain(i));
+      this.legends();
       this.update();
     });
   }

@@ -21,7 +21,7 @@ class Scene {
     this.controls.addEventListener("change", () => this.draw());
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.dress();
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.dress(); this.draw(); });
+    isDark.addEventListener("change", () => { this.dress(); this.draw(); });
   }
 
   dress() {
