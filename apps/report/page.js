@@ -94,7 +94,11 @@ play.addEventListener("click", playOrStop);
 if (!moments.length) document.getElementById("bar").hidden = true;
 window.report = {data, replay, show, moments, measurePictures};
 show(replay && !data.replay.pieces ? moments.length - 1 : 0);
-if (replay) replay.scene.drawNow();
+if (replay) {
+  replay.scene.drawNow();
+  replay.scene.finish();
+  window.report.firstPicture = performance.now(); // since the page was asked for [ms]
+}
 // After the first picture: curves take as long as it does.
 setTimeout(() => {
   fillTexts(data);

@@ -93,7 +93,12 @@ class Scene {
     cancelAnimationFrame(this.drawing);
     this.drawing = 0;
     this.renderer.render(this.scene, this.camera);
-    if (window.firstPicture === undefined) window.firstPicture = performance.now();
+  }
+
+  // Waits for the last pixel of the picture.
+  finish() {
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
   // Where the ray through a place of the canvas [px] goes.

@@ -49,7 +49,7 @@ def measure(page):
     for name, size in (("1400 x 1000", None), ("phone", PHONE)):
         with Browser(size) if size else Browser() as browser:
             browser.open(page)
-            print(f"  {name}: first picture after {browser.run('return window.firstPicture') / 1e3:.2f} s", flush=True)
+            print(f"  {name}: first picture after {browser.run('return report.firstPicture') / 1e3:.2f} s", flush=True)
             for what, is_moving in (("while it moves", True), ("at rest", False)):
                 before = processor_time(browser.process)
                 wall = browser.run(DRAW, is_moving, COUNT)
