@@ -102,16 +102,14 @@ function drawChart(chart, parent, goTo) {
   allCharts.push(chart);
 }
 
+// Anew where they are there already: in other colours.
 function fillCharts(data, goTo) {
   const parent = document.getElementById("charts");
-  if (data.no_charts) return parent.append(element("p", {class: "warning"}, data.no_charts));
+  if (data.no_charts) return parent.replaceChildren(element("p", {class: "warning"}, data.no_charts));
+  for (const chart of allCharts.splice(0)) chart.drawn.destroy();
+  parent.replaceChildren();
   Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
   for (const chart of data.charts) drawChart(chart, parent, goTo);
-  isDark.addEventListener("change", () => {
-    for (const chart of allCharts.splice(0)) chart.drawn.destroy();
-    parent.replaceChildren();
-    fillCharts(data, goTo);
-  });
 }
 
 function markTime(time) {

@@ -102,7 +102,8 @@ if (replay) {
 // After the first picture: curves take as long as it does.
 setTimeout(() => {
   fillTexts(data);
-  fillCharts(data, showPlace);
-  show(Number(slider.value));
+  const drawCharts = () => { fillCharts(data, showPlace); show(Number(slider.value)); };
+  drawCharts();
+  isDark.addEventListener("change", drawCharts);
   window.isComplete = true;
 }, 0);
