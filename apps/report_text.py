@@ -22,7 +22,7 @@ def escaped(text):
 
 
 def result_row(name, value):
-    """Name in words, value with its unit; lengths of stones and ways in mm."""
+    """Name in words, value with its unit: lengths in mm, large forces and stresses in kN and kPa."""
     unit = ""
     for ending, symbol in UNITS:
         if name.endswith(ending):
@@ -33,8 +33,8 @@ def result_row(name, value):
     elif isinstance(value, float):
         if unit == "m" and abs(value) < 1:
             value, unit = 1e3 * value, "mm"
-        elif unit == "Pa" and abs(value) >= 1e3:
-            value, unit = 1e-3 * value, "kPa"
+        elif unit in ("N", "Pa") and abs(value) >= (1e3 if unit == "Pa" else 1e4):
+            value, unit = 1e-3 * value, "k" + unit
         value = f"{value:.4g}"
     return [name.replace("_", " "), str(value), unit]
 

@@ -47,10 +47,10 @@ const marks = {
     ctx.beginPath();
     ctx.rect(left, area.top, area.right - left, area.bottom - area.top);
     ctx.clip();
-    ctx.globalAlpha = 0.18;
+    ctx.globalAlpha = 0.08;
     ctx.fillStyle = ctx.strokeStyle = style("ink");
     ctx.fillRect(left, area.top, area.right - left, area.bottom - area.top);
-    ctx.globalAlpha = 0.5;
+    ctx.globalAlpha = 0.25;
     for (let x = left - area.bottom; x < area.right; x += 10) {
       ctx.beginPath();
       ctx.moveTo(x, area.bottom);
@@ -83,7 +83,7 @@ function axis(text) {
 function drawChart(chart, parent, goTo) {
   const canvas = element("canvas", {role: "img", "aria-label": `${chart.title}: ${chart.y} over ${chart.x}`});
   const note = chart.note ? [element("p", {class: "note"}, chart.note)] : [];
-  const why = chart.from === undefined ? note : [element("p", {class: "note"}, `Hatched from ${threeDigits(chart.from)} on: not to be used. ${chart.why}`)];
+  const why = chart.from === undefined ? note : [element("p", {class: "note"}, `Hatched from ${threeDigits(chart.from)} on, not to be used: ${chart.why}`)];
   parent.append(element("div", {class: "chart"}, element("h2", {}, chart.title), element("div", {}, canvas), ...why));
   const options = {
     onClick: (event, _, drawn) => chart.time && goTo(chart, drawn.scales.x.getValueForPixel(event.x)),

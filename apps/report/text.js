@@ -28,7 +28,7 @@ function fillHead(data) {
     element("div", {}, element("b", {}, `${value} ${unit}`), element("span", {}, name)));
   document.getElementById("head").append(
     element("h1", {}, data.title), element("p", {}, data.state),
-    ...(data.not_usable ? [element("p", {class: "warning"}, "Not to be used: " + data.not_usable)] : []),
+    ...(data.not_usable ? [element("p", {class: "warning"}, data.not_usable)] : []),
     ...(data.warnings.length ? [element("p", {}, element("a", {href: "#warnings"}, `${data.warnings.length} warning${data.warnings.length > 1 ? "s" : ""}, below`))] : []),
     element("div", {class: "numbers"}, ...numbers));
 }

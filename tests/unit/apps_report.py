@@ -168,6 +168,7 @@ class Page(unittest.TestCase):
     def test_results_in_words(self):
         for name, value, row in (("peak_pull_force_N", 1067.04, ["peak pull force", "1067", "N"]),
                                  ("largest_overlap_m", 1.7e-4, ["largest overlap", "0.17", "mm"]),
+                                 ("peak_pull_force_N", 126100.0, ["peak pull force", "126.1", "kN"]),
                                  ("normal_stress_Pa", 1e4, ["normal stress", "10", "kPa"]),
                                  ("bulk_density_kg_per_m3", 1410.0, ["bulk density", "1410", "kg/m³"]),
                                  ("rigid", True, ["rigid", "yes", ""])):
