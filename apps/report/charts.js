@@ -83,7 +83,8 @@ function axis(text) {
 function drawChart(chart, parent, goTo) {
   const canvas = element("canvas", {role: "img", "aria-label": `${chart.title}: ${chart.y} over ${chart.x}`});
   const note = chart.note ? [element("p", {class: "note"}, chart.note)] : [];
-  const why = chart.from === undefined ? note : [element("p", {class: "note"}, `Hatched from ${threeDigits(chart.from)} on, not to be used: ${chart.why}`)];
+  const hatched = () => `Hatched from ${threeDigits(chart.from)} on, not to be used: ${chart.why}`;
+  const why = chart.from === undefined ? note : [element("p", {class: "note"}, hatched())];
   parent.append(element("div", {class: "chart"}, element("h2", {}, chart.title), element("div", {}, canvas), ...why));
   const options = {
     onClick: (event, _, drawn) => chart.time && goTo(chart, drawn.scales.x.getValueForPixel(event.x)),
@@ -91,7 +92,8 @@ function drawChart(chart, parent, goTo) {
     interaction: {mode: "nearest", axis: "x", intersect: false},
     scales: {x: axis(chart.x), y: axis(chart.y)},
     plugins: {
-      legend: {display: chart.series.length > 1, labels: {generateLabels: labels, color: style("ink"), usePointStyle: true, pointStyleWidth: 36, boxHeight: 6, font: {size: 11}}},
+      legend: {display: chart.series.length > 1, labels: {generateLabels: labels,
+        color: style("ink"), usePointStyle: true, pointStyleWidth: 36, boxHeight: 6, font: {size: 11}}},
       tooltip: {callbacks: {title: (items) => `${chart.x}: ${threeDigits(items[0].parsed.x)}`,
                             label: (item) => `${item.dataset.label}: ${threeDigits(item.parsed.y)}`}},
     },

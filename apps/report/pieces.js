@@ -41,7 +41,8 @@ class Pieces {
     this.scene.middle.set(...[0, 1, 2].map((c) => 0.5 * (low[c] + high[c])));
     this.scene.half.set(...[0, 1, 2].map((c) => Math.max(0.5 * (high[c] - low[c]), 0.02 * largest)));
     if (changed) this.scene.view(this.scene.viewName || "angle");
-    fillLegends(piece.values ? [legend(`${piece.field}, ${piece.name}`, "signed", signedNumbers(this.limit))] : []);
+    const scale = () => legend(`${piece.field}, ${piece.name}`, "signed", signedNumbers(this.limit));
+    fillLegends(piece.values ? [scale()] : []);
     this.scene.draw();
   }
 

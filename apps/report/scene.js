@@ -69,7 +69,9 @@ class Scene {
   // Outlines of walls, cut at the box of the view: `corners` holds x, y, z of four corners.
   setWalls(walls, frame) {
     if (!this.walls) {
-      this.walls = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: style("wall")}));
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(24 * walls.length), 3));
+      this.walls = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({color: style("wall")}));
       this.walls.frustumCulled = false;
       this.scene.add(this.walls);
     }
@@ -81,7 +83,9 @@ class Scene {
       const corner = (k) => [0, 1, 2].map((c) => clamp(all[3 * (k % 4) + c], c));
       for (let k = 0; k < 4; ++k) points.push(...corner(k), ...corner(k + 1));
     }
-    this.walls.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(points), 3));
+    const {position} = this.walls.geometry.attributes;
+    position.array.set(points);
+    position.needsUpdate = true;
   }
 
   draw() {

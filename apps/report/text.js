@@ -24,12 +24,13 @@ const folded = (title, text) => element("details", {class: "card wide"}, element
 const withUnit = ([name, value, unit]) => [name, `${value} ${unit}`];
 
 function fillHead(data) {
+  const count = data.warnings.length;
   const numbers = data.main.map(([name, value, unit]) =>
     element("div", {}, element("b", {}, `${value} ${unit}`), element("span", {}, name)));
   document.getElementById("head").append(
     element("h1", {}, data.title), element("p", {}, data.state),
     ...(data.not_usable ? [element("p", {class: "warning"}, data.not_usable)] : []),
-    ...(data.warnings.length ? [element("p", {}, element("a", {href: "#warnings"}, `${data.warnings.length} warning${data.warnings.length > 1 ? "s" : ""}, below`))] : []),
+    ...(count ? [element("p", {}, element("a", {href: "#warnings"}, `${count} warning${count > 1 ? "s" : ""}, below`))] : []),
     element("div", {class: "numbers"}, ...numbers));
 }
 

@@ -16,7 +16,8 @@ function tellKeys(text) {
 }
 
 function stoneTools(replay) {
-  tellKeys("Click a stone for its numbers. Keys: ← → frames, Space plays, 1 2 3 0 views, S stones, W way, C forces, K cut; all of them below.");
+  tellKeys("Click a stone for its numbers. Keys: ← → frames, Space plays, 1 2 3 0 views, S stones, W way, C forces, " +
+           "K cut; all of them below.");
   const modes = ["solid", "faint", "hidden"];
   const press = (node, on) => node.setAttribute("aria-pressed", on);
   const refresh = () => { replay.legends(); replay.update(); };
