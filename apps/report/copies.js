@@ -46,8 +46,10 @@ class Copies {
     const used = [3 * this.vertices, 3 * this.vertices, this.corners];
     this.mesh.geometry.setDrawRange(0, this.corners);
     this.attributes.forEach((attribute, k) => {
-      attribute.updateRange = {offset: 0, count: used[k]};
-      attribute.needsUpdate = this.isNew[k] && used[k] > 0;
+      if (!this.isNew[k] || used[k] === 0) return;
+      // What was new in a frame that nobody drew has to go, too; three.js sets the count to -1 when it has gone.
+      attribute.updateRange.count = Math.max(attribute.updateRange.count, used[k]);
+      attribute.needsUpdate = true;
     });
   }
 }

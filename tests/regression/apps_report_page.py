@@ -126,6 +126,37 @@ class Page(unittest.TestCase):
         self.browser.key("End")
         self.assertEqual(self.browser.run(what), last)
 
+    def test_pictures_are_of_the_present_frame_whatever_was_before(self):
+        # Frames that are passed without being drawn, from fine stones to coarse ones and back.
+        same = self.browser.run("""const {replay, show, moments} = report, {scene} = replay, {copies} = replay.stones;
+            const gl = scene.renderer.getContext(), size = 4 * gl.drawingBufferWidth * gl.drawingBufferHeight;
+            const picture = () => {
+              const pixels = new Uint8Array(size);
+              scene.drawNow();
+              gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+              return pixels;
+            };
+            return [true, false].map((isMoving) => {
+              replay.cut.axis = "y";
+              replay.move(!isMoving);
+              show(0);
+              picture();
+              replay.move(isMoving);
+              replay.cut.at = 0.9;  // few stones
+              replay.update();
+              replay.cut.axis = "off";
+              show(moments.length - 1);
+              const found = picture();
+              for (const attribute of copies.attributes) {  // all of it to the renderer again
+                attribute.updateRange.count = -1;
+                attribute.needsUpdate = true;
+              }
+              const expected = picture();
+              replay.move(false);
+              return expected.some((value, i) => value !== expected[0]) && found.every((value, i) => value === expected[i]);
+            });""")
+        self.assertEqual(same, [True, True])
+
     def test_a_click_on_a_curve_goes_there(self):
         box = self.browser.run("""const {chartArea: area, canvas} = report.data.charts[0].drawn;
             canvas.scrollIntoView({block: 'center'});
