@@ -14,13 +14,14 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import plain_matplotlib  # before Matplotlib
-import field_figures
 import figures
 import matplotlib.pyplot as plt
 import numpy as np
+from field_series import open_series
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.lines import Line2D
+from run_files import InputError, during_pull, number, read_history, read_parameters, read_summary, unusable_part
 
 MOMENTS = ["before", "during", "after"]
 WIDEST, NARROWEST = 7.0, 0.25  # lines of the largest force of the three moments, and of the smallest ones [points]
@@ -75,15 +76,15 @@ def read_drop(run):
     """drop.json as a dictionary; raises InputError where there is none."""
     path = os.path.join(run, "drop", "drop.json")
     if not os.path.isfile(path):
-        raise figures.InputError(f"{path} is not there: \"interlock drop {run}\" makes it.")
+        raise InputError(f"{path} is not there: \"interlock drop {run}\" makes it.")
     with open(path, encoding="utf-8") as file:
         return json.load(file)
 
 
 def box_of(run):
     """Length, width, height of the box, heights of the slot's lower and upper edge [mm]."""
-    parameters = figures.read_parameters(run)
-    length, width, height, slot = (1e3 * figures.number(parameters, "Box/" + name)
+    parameters = read_parameters(run)
+    length, width, height, slot = (1e3 * number(parameters, "Box/" + name)
                                    for name in ("Length", "Width", "Height", "Slot height"))
     return length, width, height, 0.5 * (height - slot), 0.5 * (height + slot)
 
@@ -117,7 +118,7 @@ def draw_geogrid(axes, geogrid, time, across):
 
 
 def draw_curve(axes, history, drop, zoomed):
-    pull = figures.during_pull(history)
+    pull = during_pull(history)
     axes.plot(1e3 * pull["displacement"], pull["pull_force"], color="0.3", linewidth=1.0)
     for name, marker, shift in zip(MOMENTS, "o^s", ((-6, 6), (7, 0), (6, 6))):
         moment = drop[name]
@@ -188,11 +189,11 @@ def drop_figure(run, drop, networks, geogrid, times, path):
     grid[2, 0].set_xlabel("x [mm], from the side; pulled to the left")
     grid[2, 1].set_xlabel("y [mm], from the front")
     whole, near, legend = beside.subplots(3, 1, height_ratios=[1, 1, 0.55])
-    history = figures.read_history(run)
+    history = read_history(run)
     draw_curve(whole, history, drop, False)
     draw_curve(near, history, drop, True)
-    summary = figures.read_summary(run)
-    part = figures.unusable_part(summary)
+    summary = read_summary(run)
+    part = unusable_part(summary)
     if part is not None:
         figures.shade_unusable(whole, part, "0.3", "")
         whole.legend(loc="best", fontsize=7, edgecolor="none")
@@ -210,9 +211,9 @@ def print_table(drop, networks):
 
 def draw(run):
     drop, folder = read_drop(run), os.path.join(run, "drop")
-    contacts, geogrid = (field_figures.open_series(folder, name) for name in ("contacts", "geogrid"))
+    contacts, geogrid = (open_series(folder, name) for name in ("contacts", "geogrid"))
     if contacts is None or geogrid is None or len(contacts) != len(MOMENTS):
-        raise figures.InputError(f"{folder} holds {len(contacts) if contacts else 0} frames with contacts, and not one "
+        raise InputError(f"{folder} holds {len(contacts) if contacts else 0} frames with contacts, and not one "
                                  "for each of the three moments: they lie within a step, or the folder is not whole.")
     networks = [Network(contacts, frame) for frame in range(len(MOMENTS))]
     times = [contacts.time(frame) for frame in range(len(MOMENTS))]
@@ -226,7 +227,7 @@ def main():
         return 2
     try:
         draw(sys.argv[1])
-    except figures.InputError as error:
+    except InputError as error:
         print(error, file=sys.stderr)
         return 2
     return 0

@@ -37,7 +37,7 @@ ScriptResult not_found(const std::string& name)
   std::vector<std::string> looked;
   for (const fs::path& folder : script_folders()) looked.push_back("\"" + folder.string() + "\"");
   return {127, "the script " + name + " is in none of the folders " + boost::join(looked, ", ") +
-                   "; copy apps/*.py of the sources into one of them."};
+                   "; copy apps/*.py and apps/report of the sources into one of them."};
 }
 
 // What finding files takes, and a language in which every name of a folder can be printed.
@@ -116,11 +116,12 @@ std::vector<fs::path> script_folders()
   return folders;
 }
 
-ScriptResult run_figure_script(const std::string& script, const std::string& argument)
+ScriptResult run_figure_script(const std::string& script, const std::vector<std::string>& arguments)
 {
   const fs::path file = find_script(script);
   if (file.empty()) return not_found(script);
-  const std::vector<std::string> command = {python, "-I", file.string(), argument};
+  std::vector<std::string> command = {python, "-I", file.string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
   int pipe[2];
   if (pipe2(pipe, O_CLOEXEC) != 0) return {127, sentence(std::strerror(errno))};
   std::cout.flush();

@@ -1,4 +1,4 @@
-// Runs one of the scripts that draw figures (apps/*.py) in an environment of its own.
+// Runs one of the scripts that draw figures or the report (apps/*.py) in an environment of its own.
 #pragma once
 
 #include <filesystem>
@@ -19,11 +19,12 @@ struct ScriptResult {
 // build/release/bin; the sources that it was built from.
 std::vector<std::filesystem::path> script_folders();
 
-// Runs `script` ("figures.py") with `argument`, without a shell, so that it may hold any character.
-// The interpreter is the system's, for which Debian packages Matplotlib and h5py, isolated
-// (python3 -I) and without the variables that the user's modules, virtual environments and shells
-// export: another Python's packages, another HDF5 library, settings of Matplotlib. What the script
-// prints goes to the standard output; the reason is the last line of what it says on its error
-// output. An interrupt (interruption.h) ends the script.
-ScriptResult run_figure_script(const std::string& script, const std::string& argument);
+// Runs `script` ("figures.py") with `arguments`, without a shell, so that they may hold any
+// character. The interpreter is the system's, for which Debian packages Matplotlib and h5py,
+// isolated (python3 -I) and without the variables that the user's modules, virtual environments and
+// shells export: another Python's packages, another HDF5 library, settings of Matplotlib. What the
+// script prints goes to the standard output; the reason is the last line of what it says on its
+// error output. An interrupt (interruption.h) ends the script.
+ScriptResult run_figure_script(const std::string& script,
+                               const std::vector<std::string>& arguments);
 } // namespace interlock::apps

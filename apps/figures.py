@@ -11,8 +11,6 @@ folder holds no history at all.
 """
 
 import argparse
-import csv
-import json
 import os
 import sys
 import textwrap
@@ -21,22 +19,10 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import plain_matplotlib  # before Matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
+from line_styles import COLOURS, ENERGIES, STYLES
+from run_files import (InputError, centred_mean, during_pull, find_result, number, read_history, read_parameters,
+                       read_summary, unusable_part)
 
-# Okabe and Ito's colours, which colour-blind readers can tell apart.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
-# Beside a colour, for those who see or print none.
-STYLES = ["-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (3, 1)), (0, (8, 3))]
-# The same colour and style in every figure; what is put in is black.
-ENERGIES = {
-    "kinetic_stones": (COLOURS[5], "-"), "kinetic_geogrid": (COLOURS[5], ":"),
-    "gravitational": (COLOURS[0], "-"),
-    "elastic_contacts": (COLOURS[2], "--"), "elastic_geogrid": (COLOURS[2], "-."),
-    "friction": (COLOURS[1], "-"),
-    "crushing": (COLOURS[1], ":"),
-    "contact_damping": (COLOURS[4], "--"), "local_damping": (COLOURS[3], "-."), "geogrid_damping": (COLOURS[4], ":"),
-    "geogrid_plastic": (COLOURS[3], ":"),
-    "clamp_work": (COLOURS[6], "--"), "wall_work": (COLOURS[6], "-."), "inserted": (COLOURS[6], ":"),
-}
 # The thick line: the force is averaged over so much displacement [m].
 MEAN_LENGTH = 1e-3
 
@@ -51,84 +37,6 @@ LABORATORY_CASE = {
 # Its geogrid is a product of 30 kN/m with this pitch [m] that bears some 11 kN/m at 2 % strain: stiffness [N/m], to
 # 20 %. It was pulled at 10 mm/s; a pull many times faster is not to be held against it.
 LABORATORY_PITCH, LABORATORY_STIFFNESS, LABORATORY_FASTEST = 0.065, 550e3, 0.015
-
-
-class InputError(Exception):
-    """The folder that the user named cannot be drawn; the text is one full sentence."""
-
-
-def read_history(run):
-    """Columns of history.csv as name -> array, names without unit; text columns stay text."""
-    path = os.path.join(run, "history.csv")
-    if not os.path.isfile(path):
-        raise InputError(f"{run}: there is no history.csv, so this is not the output folder of a run.")
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = [row for row in csv.reader(file) if row]
-    if len(rows) < 2:
-        raise InputError(f"{path}: the file has no record yet.")
-    names = [name.split("[")[0].strip() for name in rows[0]]
-    # The last line of a running case may be half written.
-    rows = [row for row in rows[1:] if len(row) == len(names)]
-    return {name: as_numbers([row[i] for row in rows]) for i, name in enumerate(names)}
-
-
-def as_numbers(texts):
-    try:
-        return np.array([float(text) if text else np.nan for text in texts])
-    except ValueError:
-        return np.array(texts)
-
-
-def read_summary(run):
-    """summary.json as a dictionary, empty while the run has not written it."""
-    path = os.path.join(run, "summary.json")
-    if not os.path.isfile(path):
-        return {}
-    with open(path, encoding="utf-8") as file:
-        return json.load(file)
-
-
-def read_parameters(run):
-    """used.prm as "Section/Name" -> text, empty where there is none."""
-    path = os.path.join(run, "used.prm")
-    if not os.path.isfile(path):
-        return {}
-    parameters, section = {}, ""
-    with open(path, encoding="utf-8", errors="replace") as file:
-        for line in file:
-            word, _, rest = line.strip().partition(" ")
-            if word == "subsection":
-                section = rest.strip() + "/"
-            elif word == "end":
-                section = ""
-            elif word == "set":
-                name, _, value = rest.partition("=")
-                parameters[section + name.strip()] = value.strip().strip('"')
-    return parameters
-
-
-def number(parameters, name):
-    """An entry as a number; not a number where there is none."""
-    try:
-        return float(parameters.get(name, ""))
-    except ValueError:
-        return np.nan
-
-
-def during_pull(history):
-    """The records of the pull: those of its stage where stages are named, else all."""
-    stage = history.get("stage")
-    if stage is None or stage.dtype.kind != "U" or not np.any(stage == "pull"):
-        return history
-    return {name: values[stage == "pull"] for name, values in history.items()}
-
-
-def find_result(summary, name):
-    """A value of the summary's results, under its bare name or with a unit behind it."""
-    for key, value in summary.get("results", {}).items():
-        if key == name or key.startswith(name + "_"):
-            return value
-    return None
 
 
 def title_of(run, summary):
@@ -186,19 +94,6 @@ def surcharge_of_laboratory(parameters):
     return next((load for load in LABORATORY_PLATEAU if abs(number(parameters, "Surcharge/Force") - load) < 1), None)
 
 
-def centred_mean(place, value, length):
-    """Mean of `value`, each of which is the mean since the place before it, over `length` around each place.
-
-    Towards the ends the windows become shorter, down to the first and the last value themselves: a window that is
-    shifted or cut off on one side lags behind a curve that rises, and halves its initial slope."""
-    integral = np.concatenate([[0], np.cumsum(value[1:] * np.diff(place))])
-    half = np.minimum(length / 2, np.minimum(place - place[0], place[-1] - place))
-    below, above = place - half, place + half
-    width = above - below
-    mean = np.interp(above, place, integral) - np.interp(below, place, integral)
-    return np.where(width > 0, mean / np.where(width > 0, width, 1), value)
-
-
 def draw_force(axes, history, colour, style, label):
     """Pull force over displacement: thin the means between records, thick the mean over a millimetre."""
     pull = during_pull(history)
@@ -215,26 +110,6 @@ def explain_lines(axes):
     axes.plot([], [], color="0.4", linewidth=0.5, label="thin: mean between records")
     axes.plot([], [], color="0.4", linewidth=2.0,
               label=f"thick: centred mean over {1e3 * MEAN_LENGTH:g} mm, shorter at the ends")
-
-
-def first_words(sentence, most=60):
-    """The beginning of a sentence, whole words of it."""
-    sentence = sentence.strip().rstrip(".")
-    if len(sentence) <= most:
-        return sentence
-    return sentence[:most].rpartition(" ")[0].rstrip(" ,;:") + " ..."
-
-
-def unusable_part(summary):
-    """From which displacement on the results must not be used [mm] and why; None where all can."""
-    start = find_result(summary, "not_usable_from_mm")
-    start = summary.get("not_usable_from_mm") if start is None else start
-    if start is None:
-        return None
-    warnings = [str(warning) for warning in summary.get("warnings", [])]
-    about_use = [warning for warning in warnings if "usable" in warning or "not to be used" in warning]
-    because = find_result(summary, "not_usable_because")
-    return float(start), first_words(because or (about_use + warnings + [""])[0])
 
 
 def shade_unusable(axes, part, colour, run):

@@ -79,33 +79,19 @@ def views_of(points):
     return [name for name, (_, up, _, _) in VIEWS.items() if size[up] > 0.02 * size.max()] or ["plan"]
 
 
-def colour_field(series, test):
-    """Name and values of the section force that says most about the test; None for modes, which have none."""
-    fields = {"axial force [N]": ("axial_force", 1), "in-plane moment [N mm]": ("moment_in_plane", 1e3),
-              "out-of-plane moment [N mm]": ("moment_out_of_plane", 1e3)}
-    if test == "modes":
-        return None
-    values = {name: scale * series.attribute(0, field) for name, (field, scale) in fields.items()}
-    first = test.split()[0]
-    name = {"wide-width": "axial force [N]", "single-rib": "axial force [N]",
-            "aperture": "in-plane moment [N mm]",
-            "supports": max(values, key=lambda n: np.abs(values[n]).max())}.get(first, "out-of-plane moment [N mm]")
-    return name, values[name]
-
-
 def draw_piece(run, test, target):
     """The deformed piece over its unloaded outline, coloured by a section force; of modes the first four."""
-    import field_figures  # h5py is needed for this only
+    import field_series  # h5py is needed for this only
     from matplotlib.collections import LineCollection
 
-    series = field_figures.open_series(run, test.replace(" ", "_"))
+    series = field_series.open_series(run, test.replace(" ", "_"))
     if series is None:
         raise FileNotFoundError(f"{run} holds no fields of the test")
     frames = range(min(4, len(series))) if test == "modes" else [0]
     views = views_of(np.concatenate([series.points(frame) for frame in frames]))
     figure, axes = plt.subplots(len(frames), len(views), squeeze=False,
                                 figsize=(5.5 * len(views) + 0.5, 4.2 * len(frames)))
-    field = colour_field(series, test)
+    field = field_series.section_force_of_test(series, 0, test)
     for row, frame in zip(axes, frames):
         points, lines = series.points(frame), series.lines(frame)
         unloaded = points - series.attribute(frame, "displacement")

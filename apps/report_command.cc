@@ -3,11 +3,15 @@
 #include "apps/case_hash.h"
 #include "apps/experiments.h"
 #include "apps/figure_script.h"
+#include "apps/interruption.h"
 #include "apps/parameter_scanner.h"
+#include "apps/stone_surfaces.h"
 #include "dem/input_error.h"
 
 #include <iostream>
 #include <stdexcept>
+
+#include <unistd.h>
 
 namespace interlock::apps
 {
@@ -34,24 +38,59 @@ std::string script_for(const fs::path& folder)
   return pull_out;
 }
 
-ScriptResult draw(const fs::path& folder)
+// report.html, with the surfaces of the stones where they can be made.
+ScriptResult write_page(const fs::path& folder)
 {
-  return run_figure_script(script_for(folder), folder.string());
+  std::error_code error;
+  const fs::path surfaces = fs::temp_directory_path(error) /
+                            ("interlock-" + std::to_string(getpid()) + "-stone_surfaces.json");
+  const bool is_study = fs::is_regular_file(folder / "runs.csv", error);
+  const std::string reason =
+      is_study ? "A study has no stones." : write_stone_surfaces(folder, surfaces);
+  std::vector<std::string> arguments = {folder.string()};
+  if (reason.empty())
+    arguments.insert(arguments.end(), {"--surfaces", surfaces.string()});
+  else if (!is_study)
+    arguments.insert(arguments.end(), {"--no-surfaces", reason});
+  const ScriptResult result = run_figure_script("report.py", arguments);
+  fs::remove(surfaces, error);
+  return result;
+}
+
+struct Drawn {
+  ScriptResult figures, page;
+};
+
+// Figures that broke keep no page from being written; a folder with nothing to draw and an
+// interrupt do.
+Drawn draw(const fs::path& folder)
+{
+  Drawn drawn;
+  drawn.figures = run_figure_script(script_for(folder), {folder.string()});
+  if (drawn.figures.status == 2 || is_interrupted())
+    drawn.page = drawn.figures;
+  else
+    drawn.page = write_page(folder);
+  return drawn;
 }
 } // namespace
 
 int draw_figures(const fs::path& folder)
 {
-  const ScriptResult result = draw(folder);
-  if (result.status != 0)
-    std::cerr << "interlock: the figures could not be drawn: " << result.reason << '\n';
-  return result.status;
+  const Drawn drawn = draw(folder);
+  if (drawn.figures.status != 0)
+    std::cerr << "interlock: the figures could not be drawn: " << drawn.figures.reason << '\n';
+  else if (drawn.page.status != 0)
+    std::cerr << "interlock: report.html could not be written: " << drawn.page.reason << '\n';
+  return drawn.figures.status != 0 ? drawn.figures.status : drawn.page.status;
 }
 
 void add_report_command(CLI::App& program)
 {
   CLI::App* command = program.add_subcommand(
-      "report", "Draw the figures of a finished or running simulation into FOLDER/figures.");
+      "report",
+      "Draw the figures of a finished or running simulation into FOLDER/figures and write "
+      "FOLDER/report.html, a page with everything in it.");
   auto folder = std::make_shared<std::string>();
   command
       ->add_option("folder", *folder, "Output folder of \"interlock run\" or \"interlock study\".")
@@ -60,10 +99,12 @@ void add_report_command(CLI::App& program)
     if (!fs::is_directory(*folder))
       throw InputError("The folder \"" + *folder + "\" does not exist.");
     require_one_run(*folder);
-    const ScriptResult result = draw(*folder);
-    if (result.status == 2) throw InputError(result.reason);
-    if (result.status != 0)
-      throw std::runtime_error("the figures could not be drawn: " + result.reason);
+    const Drawn drawn = draw(*folder);
+    if (drawn.figures.status == 2) throw InputError(drawn.figures.reason);
+    if (drawn.figures.status != 0)
+      throw std::runtime_error("the figures could not be drawn: " + drawn.figures.reason);
+    if (drawn.page.status != 0)
+      throw std::runtime_error("report.html could not be written: " + drawn.page.reason);
   });
 }
 } // namespace interlock::apps

@@ -1,4 +1,4 @@
-// `interlock report FOLDER`: the figures of a finished or running simulation.
+// `interlock report FOLDER`: the figures and the page of a finished or running simulation.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,7 +10,8 @@ namespace interlock::apps
 // Refuses a folder whose used.prm and summary.json are those of two runs (case_hash.h).
 void add_report_command(CLI::App& program);
 
-// Draws FOLDER/figures/*.png with the script of its experiment (figure_script.h) and returns
-// ScriptResult::status; where that is not 0, says the reason on the standard error.
+// Draws FOLDER/figures/*.png with the script of its experiment (figure_script.h), writes
+// FOLDER/report.html with report.py, and returns ScriptResult::status of the first one that failed;
+// where that is not 0, says the reason on the standard error.
 int draw_figures(const std::filesystem::path& folder);
 } // namespace interlock::apps

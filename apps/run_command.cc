@@ -181,7 +181,7 @@ void close(const RunInput& input, const coupling::Summary& summary, const fs::pa
                       "report " +
                       folder.string() + "\" draws them");
   if (!drawn)
-    display.message("warning: the figures could not be drawn; \"interlock report " +
+    display.message("warning: figures or report.html are missing; \"interlock report " +
                     folder.string() + "\" tries again.");
   if (!summary.ledger_closes)
     throw std::runtime_error(

@@ -35,8 +35,10 @@ void conclude(const Plan& plan, const std::function<void(const std::string&)>& s
   };
   const auto done = count("done"), all = static_cast<std::ptrdiff_t>(table.rows.size());
   if (done + count("not usable") > 0) {
-    const ScriptResult figures = run_figure_script("study_figures.py", plan.folder.string());
+    const ScriptResult figures = run_figure_script("study_figures.py", {plan.folder.string()});
     if (figures.status != 0) say("warning: the figures could not be drawn: " + figures.reason);
+    const ScriptResult page = run_figure_script("report.py", {plan.folder.string()});
+    if (page.status != 0) say("warning: report.html could not be written: " + page.reason);
   }
   for (const RunRow& row : table.rows)
     if (row.status != "done")

@@ -92,7 +92,8 @@ void declare_heap(ParameterTable& table, HeapParameters& parameters)
               "Simulated time between two rows of history.csv. [s]");
   table.offer("Frame interval", parameters.output.frame_interval, 0, not_negative,
               "Simulated time between two frames for ParaView; 0: the last state only. [s]");
-  table.offer("Report", parameters.output.report, true, "Draw the figures at the end of the run.");
+  table.offer("Report", parameters.output.report, true,
+              "Draw the figures and write report.html at the end of the run.");
   table.offer(
       "Checkpoint interval", parameters.output.checkpoint_interval, 60, not_negative,
       "Wall-clock time between two checkpoints, beside those at the ends of stages; 0: only "

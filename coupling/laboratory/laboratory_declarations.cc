@@ -72,7 +72,8 @@ void declare_laboratory(ParameterTable& table, LaboratoryParameters& parameters)
   declare_test(table, parameters.test);
   declare_data_sheet(table, parameters.data_sheet);
   table.open_section("Output");
-  table.offer("Report", parameters.report, true, "Draw the figures at the end of the run.");
+  table.offer("Report", parameters.report, true,
+              "Draw the figures and write report.html at the end of the run.");
 }
 
 std::vector<ParameterProblem> check_laboratory(const LaboratoryParameters& parameters)

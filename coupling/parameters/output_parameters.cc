@@ -18,7 +18,8 @@ void declare_limits_and_output(ParameterTable& table, LimitParameters& limits,
               "Rows of history.csv during the test itself (the pull, the shearing). [-]");
   table.offer("Field frames", output.field_frames, 50, not_negative,
               "Frames for ParaView during the test itself. [-]");
-  table.offer("Report", output.report, true, "Draw the figures at the end of the run.");
+  table.offer("Report", output.report, true,
+              "Draw the figures and write report.html at the end of the run.");
   table.offer(
       "Checkpoint interval", output.checkpoint_interval, 60, not_negative,
       "Wall-clock time between two checkpoints, beside those at the ends of stages; 0: only "

@@ -1,13 +1,12 @@
 #include "coupling/stones/stone_shapes.h"
 
+#include "coupling/stones/stone_scans.h"
 #include "dem/generator/clump_generator.h"
 #include "dem/generator/sphere_groups.h"
 #include "dem/generator/union_volume.h"
 #include "dem/input_error.h"
-#include "dem/scans/stone_file.h"
 #include "dem/scans/stone_names.h"
 #include "dem/stones/stone_size.h"
-#include "dem/stones/synthetic_stone.h"
 
 #include <Eigen/Geometry>
 
@@ -18,39 +17,6 @@ namespace interlock::coupling
 {
 namespace
 {
-struct NamedMesh {
-  std::string name;
-  dem::TriangleMesh mesh;
-};
-
-std::vector<NamedMesh> read_scans(const StoneParameters& parameters, const Monitor& monitor)
-{
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(parameters.folder))
-    if (dem::is_stone_file(entry, dem::mesh_endings)) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::vector<NamedMesh> meshes;
-  dem::StoneFileOptions options;
-  options.length_unit = parameters.length_unit;
-  for (const std::filesystem::path& file : files) {
-    dem::MeshDiagnosis diagnosis;
-    meshes.push_back(
-        {file.stem().string(), dem::read_stone_mesh(file.string(), options, &diagnosis)});
-    if (monitor.message)
-      for (const std::string& note : diagnosis.notes)
-        monitor.message("Stone " + meshes.back().name + ": " + note + ".");
-  }
-  return meshes;
-}
-
-std::vector<NamedMesh> synthetic(const StoneParameters& parameters)
-{
-  std::vector<NamedMesh> meshes;
-  for (dem::TriangleMesh& mesh : dem::make_stones(parameters.count, parameters.seed))
-    meshes.push_back({"stone_" + std::to_string(meshes.size() + 1), std::move(mesh)});
-  return meshes;
-}
-
 Stone make_stone(const dem::TriangleMesh& mesh, const dem::ClumpParameters& parameters)
 {
   dem::ClumpReport report;
@@ -104,25 +70,13 @@ bool holds_clumps(const StoneParameters& parameters)
 std::vector<Stone> make_stones(const StoneParameters& parameters, const Monitor& monitor)
 {
   if (holds_clumps(parameters)) return read_clumps(dem::clump_files(parameters.folder));
-  const std::vector<NamedMesh> meshes =
-      parameters.folder.empty() ? synthetic(parameters) : read_scans(parameters, monitor);
-
-  dem::ClumpParameters clump;
-  clump.d_min = parameters.d_min;
-  clump.r_min = parameters.r_min;
-  clump.p_max = parameters.p_max;
-  clump.max_spheres = parameters.max_spheres;
-  clump.sphere_order = dem::sphere_order(parameters.sphere_order);
-  clump.bulge = parameters.bulge;
-  clump.mass_scheme = dem::mass_scheme(parameters.mass_properties);
-
+  const std::vector<StoneScan> scans = stone_scans(parameters, monitor);
   std::vector<Stone> stones;
-  for (const NamedMesh& scan : meshes) {
+  for (const StoneScan& scan : scans) {
     if (monitor.progress)
-      monitor.progress({"stones", static_cast<double>(stones.size()) / meshes.size(), 0, 0});
-    clump.seed = parameters.seed + stones.size();
+      monitor.progress({"stones", static_cast<double>(stones.size()) / scans.size(), 0, 0});
     try {
-      stones.push_back(make_stone(scan.mesh, clump));
+      stones.push_back(make_stone(scan.mesh, clump_parameters(parameters, stones.size())));
     } catch (const InputError& error) {
       throw InputError("Stone " + scan.name + ": " + error.what());
     }

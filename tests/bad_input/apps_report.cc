@@ -1,7 +1,7 @@
 // `interlock report` as a process. It takes figures that the user's environment keeps from being
 // drawn, a script that is found beside a program that was installed or copied and is not taken, a
-// reason that is not the script's own, or a folder with the parameters of one run and the results
-// of another one that is drawn, to fail.
+// reason that is not the script's own, a page that a folder with figures does not get, or a folder
+// with the parameters of one run and the results of another one that is drawn, to fail.
 #include "apps/case_hash.h"
 #include "apps/figure_script.h"
 #include "tests/temporary_folder.h"
@@ -56,13 +56,15 @@ protected:
     err = file_text(folder / "err");
   }
 
-  // The program as somebody installs it, with this script for its figures.
+  // The program as somebody installs it, with this script for its figures and a short one for its
+  // page.
   fs::path installed(const std::string& script) const
   {
     fs::create_directories(folder / "usr/bin");
     fs::copy_file(INTERLOCK_PROGRAM, folder / "usr/bin/interlock",
                   fs::copy_options::overwrite_existing);
     put(folder / "usr/share/interlock/figures.py", script);
+    put(folder / "usr/share/interlock/report.py", "import sys\nprint('page of', sys.argv[1])\n");
     return folder / "usr/bin/interlock";
   }
 
@@ -88,7 +90,9 @@ TEST_F(Report, DrawsWhateverTheEnvironmentIs)
     EXPECT_EQ(code, 0) << environment << '\n' << err;
     EXPECT_EQ(err, "") << environment;
     EXPECT_TRUE(has_figure()) << environment;
+    EXPECT_TRUE(fs::exists(run_folder / "report.html")) << environment;
     fs::remove_all(run_folder / "figures");
+    fs::remove(run_folder / "report.html");
   }
 }
 
@@ -100,7 +104,8 @@ TEST_F(Report, TakesTheScriptOfAnInstalledProgram)
                                      "print('a word of warning', file=sys.stderr)\n");
   report("-i HOME=/h PYTHONPATH=/p LD_LIBRARY_PATH=/l HDF5_PLUGIN_PATH=/x", program);
   EXPECT_EQ(code, 0) << err;
-  EXPECT_EQ(file_text(folder / "out"), run_folder.string() + "\n['HOME']\n");
+  EXPECT_EQ(file_text(folder / "out"),
+            run_folder.string() + "\n['HOME']\npage of " + run_folder.string() + '\n');
   EXPECT_EQ(err, "a word of warning\n");
 }
 
@@ -137,7 +142,7 @@ TEST_F(Report, RefusesAFolderWithNothingToDraw)
 
 TEST_F(Report, NamesTheFoldersWhereAScriptIsNot)
 {
-  const apps::ScriptResult result = apps::run_figure_script("no_such_script.py", "x");
+  const apps::ScriptResult result = apps::run_figure_script("no_such_script.py", {"x"});
   EXPECT_EQ(result.status, 127);
   EXPECT_EQ(result.reason.find("the script no_such_script.py is in none of the folders "), 0u);
   for (const fs::path& place : apps::script_folders())
