@@ -16,10 +16,8 @@
 #include "coupling/run/run.h"
 #include "coupling/shear_box/shear_box.h"
 #include "coupling/shear_box/shear_box_declarations.h"
-#include "coupling/shear_box/shear_box_forecast.h"
 #include "coupling/triaxial/triaxial.h"
 #include "coupling/triaxial/triaxial_declarations.h"
-#include "coupling/triaxial/triaxial_forecast.h"
 #include "dem/input_error.h"
 
 #include <algorithm>

@@ -48,6 +48,7 @@ loop
 output
 run
 stones
+strength_test
 pull_out heap packing laboratory shear_box triaxial'
 
 # Prints the include lines in $1/$2 that do not lead down the floors $3, and folders of sources that

@@ -47,6 +47,13 @@ TESTS = {
 }
 
 
+def filling_of(test, parameters):
+    """Its name in run.sh."""
+    if figures.number(parameters, "Filling/Stone friction") < 0:
+        return "loose"
+    return "tamped" if test == "triaxial" and figures.number(parameters, "Load/Compaction stress") > 0 else "dense"
+
+
 def read_runs(folders):
     """The experiment, and one dictionary a finished run: what it is, and its measures; other runs are named."""
     rows, test = [], None
@@ -64,7 +71,7 @@ def read_runs(folders):
         row = {"run": os.path.basename(os.path.normpath(folder)), "seed": summary["seed"],
                "spheres": round(results["spheres_per_stone"]),
                "friction": figures.number(parameters, "Contact/Stone friction"),
-               "filling": "loose" if figures.number(parameters, "Filling/Stone friction") < 0 else "dense",
+               "filling": filling_of(test, parameters),
                "stress [kPa]": 1e-3 * results[TESTS[test][0]],
                "not usable from [mm]": results.get("not_usable_from_mm", "")}
         row.update({name: measure(results) for name, measure in TESTS[test][2].items()})

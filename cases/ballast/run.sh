@@ -9,20 +9,24 @@
 # default: results/ballast, or results/triaxial; after `make build`. What is run is said by these variables (words,
 # separated by blanks):
 #   TEST      shear_box or triaxial                       default: shear_box
-#   SERIES    spheres of a clump : friction between stones : filling (loose or dense)
-#             default: each varied by itself around 55:0.6:dense; triaxial: 55:0.6:dense 55:0.6:loose
+#   SERIES    spheres of a clump : friction between stones : filling (loose, dense; triaxial: tamped, too)
+#             default: each varied by itself around 55:0.6:dense; triaxial: 55:0.6:tamped 55:0.6:dense 55:0.6:loose
 #   STRESSES  normal stresses, or cell pressures [kPa]    default: 2 10 35 100, or 10 30 60
 #   SEEDS     fillings                                    default: 1 2 3 4 5
 #   JOBS      runs side by side                           default: 2
 # A run that is complete is not run again, so more can be added later, and what was stopped goes on. Default: 140 runs,
-# or 30.
+# or 45.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
 export interlock="${INTERLOCK:-$root/build/release/bin/interlock}" root
+# Friction while filling, -1: that of the test, and stress of the compaction. What is compacted is called dense in the
+# shear box and tamped in the triaxial test, where dense is what friction alone decides.
+declare -A fillings=([loose]="-1 0" [dense]="0 1e5")
 case "${TEST:=shear_box}" in
   shear_box) folder=results/ballast entry="Load/Normal stress" at="2 10 35 100"
     kinds="55:0.6:dense 55:0.6:loose 55:0.4:dense 55:0.8:dense 20:0.6:dense 150:0.6:dense 500:0.6:dense" ;;
-  triaxial) folder=results/triaxial entry="Load/Cell pressure" at="10 30 60" kinds="55:0.6:dense 55:0.6:loose" ;;
+  triaxial) folder=results/triaxial entry="Load/Cell pressure" at="10 30 60"
+    kinds="55:0.6:tamped 55:0.6:dense 55:0.6:loose" fillings[dense]="0.1 0" fillings[tamped]="0 1e5" ;;
   *) echo "TEST: there is no '$TEST' (shear_box, triaxial)." >&2; exit 2 ;;
 esac
 export TEST entry
@@ -33,10 +37,6 @@ read -r -a series <<<"${SERIES:-$kinds}"
 read -r -a stresses <<<"${STRESSES:-$at}"
 read -r -a seeds <<<"${SEEDS:-1 2 3 4 5}"
 
-# Friction while filling and stress of the compaction: dense as in the case, or with the friction of the test and not
-# compacted.
-declare -A fillings=([loose]="-1 0" [dense]="0 1e5")
-
 runs=() list="$(mktemp)"
 trap 'rm -f "$list"' EXIT
 # All of one filling before the next: what is there can be looked at early.
@@ -44,7 +44,7 @@ for seed in "${seeds[@]}"; do
   for one in "${series[@]}"; do
     IFS=: read -r spheres friction filling <<<"$one"
     [ -n "${fillings[${filling:-none}]:-}" ] ||
-      { echo "SERIES: '$one' should be spheres:friction:filling, with filling loose or dense." >&2; exit 2; }
+      { echo "SERIES: '$one' should be spheres:friction:filling, with filling one of ${!fillings[*]}." >&2; exit 2; }
     for stress in "${stresses[@]}"; do
       run="$folder/$spheres-mu$friction-$filling-${stress}kPa-$seed"
       runs+=("$run")

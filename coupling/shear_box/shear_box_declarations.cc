@@ -10,12 +10,10 @@ namespace
 {
 void declare_box(ParameterTable& table, ShearBoxParameters& parameters)
 {
-  table.open_section("Box");
-  table.require("Length", parameters.box.length, positive,
-                "Inner length along x, the way of the lower half. [m]");
-  table.require("Width", parameters.box.width, positive, "Inner width along y. [m]");
-  table.require("Height", parameters.box.height, positive,
-                "Height along z up to which the box is filled; the halves meet at half of it. [m]");
+  declare_stones_and_box(
+      table, parameters.specimen, "Acceleration of gravity, downwards along z. [m/s2]",
+      "Inner length along x, the way of the lower half. [m]",
+      "Height along z up to which the box is filled; the halves meet at half of it. [m]");
   table.require("Gap", parameters.gap, not_negative, "Between the two halves. [m]");
   table.offer("Floor and plate friction", parameters.floor_and_plate_friction, -1,
               pair_friction_range,
@@ -25,13 +23,11 @@ void declare_box(ParameterTable& table, ShearBoxParameters& parameters)
 
 void declare_test(ParameterTable& table, ShearBoxParameters& parameters)
 {
-  table.open_section("Load");
-  table.require("Normal stress", parameters.normal_stress, positive,
-                "On the plane between the halves, weight of the stones above it included; a plate "
-                "keeps its force. [Pa]");
-  table.offer("Compaction stress", parameters.compaction_stress, 0, not_negative,
-              "The same while the stones still have the friction of the filling: the plate first "
-              "presses with that, then with the normal stress; 0: never with more. [Pa]");
+  declare_load(table, parameters.specimen, "Normal stress", parameters.normal_stress,
+               "On the plane between the halves, weight of the stones above it included; a plate "
+               "keeps its force. [Pa]",
+               "The same while the stones still have the friction of the filling: the plate first "
+               "presses with that, then with the normal stress; 0: never with more. [Pa]");
   table.open_section("Shear");
   table.require("Speed", parameters.shear.speed, positive, "Speed of the lower half. [m/s]");
   table.require("Distance", parameters.shear.distance, positive,
@@ -42,35 +38,33 @@ void declare_test(ParameterTable& table, ShearBoxParameters& parameters)
 
 void check_box(const ShearBoxParameters& p, ParameterProblems& problems)
 {
-  if (p.gap >= 0.5 * p.box.height)
+  const double half = 0.5 * p.specimen.box.height;
+  if (p.gap >= half)
     problems.add("Box/Gap", "The gap is ", p.gap,
-                 " m wide, but must be smaller than half the height of the box, ",
-                 0.5 * p.box.height, " m.");
+                 " m wide, but must be smaller than half the height of the box, ", half, " m.");
 }
 
 // The stones above the plane weigh at least so much: a filling is never looser than this share [-].
 void check_load(const ShearBoxParameters& p, ParameterProblems& problems)
 {
   constexpr double loosest_solid_share = 0.45;
+  const SpecimenParameters& s = p.specimen;
   const double weight =
-      0.5 * p.box.height * loosest_solid_share * p.stones.density * p.gravity; // [Pa]
+      0.5 * s.box.height * loosest_solid_share * s.stones.density * s.gravity; // [Pa]
   if (p.normal_stress <= weight)
     problems.add("Load/Normal stress", "The normal stress is ", p.normal_stress,
                  " Pa, but the stones of the upper half alone press with ", weight,
                  " Pa or more; raise it, or lower Box/Height.");
-  if (p.compaction_stress > 0 && p.compaction_stress < p.normal_stress)
-    problems.add("Load/Compaction stress", "The compaction stress is ", p.compaction_stress,
-                 " Pa, but must be at least the normal stress, ", p.normal_stress,
-                 " Pa, or 0 for no compaction.");
+  check_compaction(s, p.normal_stress, "normal stress", problems);
 }
 
 void check_shear(const ShearBoxParameters& p, ParameterProblems& problems)
 {
   const ShearParameters& shear = p.shear;
-  if (shear.distance > 0.5 * p.box.length)
+  const double farthest = 0.5 * p.specimen.box.length;
+  if (shear.distance > farthest)
     problems.add("Shear/Distance", "The lower half moves by ", shear.distance,
-                 " m, but must move by at most half the length of the box, ", 0.5 * p.box.length,
-                 " m.");
+                 " m, but must move by at most half the length of the box, ", farthest, " m.");
   const double ramp = 0.5 * shear.speed * shear.ramp_time;
   if (ramp > shear.distance)
     problems.add("Shear/Ramp time", "The lower half needs ", ramp, " m to reach full speed in ",
@@ -80,29 +74,27 @@ void check_shear(const ShearBoxParameters& p, ParameterProblems& problems)
 
 void declare_shear_box(ParameterTable& table, ShearBoxParameters& parameters)
 {
-  table.open_section("");
-  table.require("Gravity", parameters.gravity, positive,
-                "Acceleration of gravity, downwards along z. [m/s2]");
-  declare_stones(table, parameters.stones);
+  SpecimenParameters& specimen = parameters.specimen;
   declare_box(table, parameters);
-  declare_stone_contact(table, parameters.contact);
-  declare_filling(table, parameters.filling);
+  declare_stone_contact(table, specimen.contact);
+  declare_filling(table, specimen.filling);
   declare_test(table, parameters);
-  declare_time(table, parameters.time);
-  declare_limits_and_output(table, parameters.limits, parameters.output);
+  declare_time(table, specimen.time);
+  declare_limits_and_output(table, specimen.limits, parameters.output);
 }
 
 std::vector<ParameterProblem> check_shear_box(const ShearBoxParameters& parameters)
 {
   ParameterProblems problems;
-  check_stones(parameters.stones, problems);
+  const SpecimenParameters& specimen = parameters.specimen;
+  check_stones(specimen.stones, problems);
   check_box(parameters, problems);
-  check_load(parameters, problems);
-  check_shear(parameters, problems);
-  check_stone_contact(parameters.contact, problems);
   check_pair_friction("Box/Floor and plate friction", parameters.floor_and_plate_friction,
                       problems);
-  check_pair_friction("Filling/Stone friction", parameters.filling.stone_friction, problems);
+  check_stone_contact(specimen.contact, problems);
+  check_pair_friction("Filling/Stone friction", specimen.filling.stone_friction, problems);
+  check_load(parameters, problems);
+  check_shear(parameters, problems);
   return problems.take();
 }
 } // namespace interlock::coupling

@@ -1,7 +1,6 @@
 // What a shear box run leaves in its summary.
 #include "coupling/shear_box/shear_box.h"
 #include "coupling/stones/curve_measures.h"
-#include "coupling/stones/filled_box.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +11,8 @@ namespace interlock::coupling
 {
 namespace
 {
-// Peaks are those of means over this share of a mean stone, slopes are taken over that one, and
-// what is left in the end is the mean over that share of the way [-].
-constexpr double filter_share = 0.05, slope_share = 0.25, end_share = 0.2;
+// Peaks are those of means over this share of a mean stone, slopes are taken over that one [-].
+constexpr double filter_share = 0.05, slope_share = 0.25;
 // Where the rims of the upper half bear more than this share of the normal force on the plane, a
 // stone is wedged under one of them, and what is measured is not the strength of the stones [-].
 constexpr double wedging_share = 0.5;
@@ -28,13 +26,12 @@ struct Usable {
 Usable usable_part(const ShearStage& shear, const ShearBox& box)
 {
   const std::vector<double>& u = shear.displacements;
-  const double filter = filter_share * box.mean_size;
+  const double filter = filter_share * box.specimen.mean_size;
   const std::vector<double> n = centred_mean(u, shear.normal_forces, filter),
                             p = centred_mean(u, shear.plate_forces, filter);
   for (std::size_t k = 0; k < u.size(); ++k) {
-    if (shear.watch.overlap_left_at >= 0 && u[k] >= shear.watch.overlap_left_at)
-      return {k, "a contact overlaps by more than a tenth of the mean radius of a sphere (contacts "
-                 "too soft for this load?)"};
+    if (shear.motion.overlap_left_at >= 0 && u[k] >= shear.motion.overlap_left_at)
+      return {k, overlap_reason};
     if (n[k] - p[k] - shear.weight_above > wedging_share * n[k])
       return {k, "the sides of the upper half bear more than half of the normal force (a stone is "
                  "wedged under their rim, or they rub)"};
@@ -73,14 +70,11 @@ void describe_strength(const ShearStage& shear, const ShearBox& box,
                        nlohmann::ordered_json& results)
 {
   const std::vector<double>& u = shear.displacements;
-  const double filter = filter_share * box.mean_size;
+  const double filter = filter_share * box.specimen.mean_size;
   const std::vector<double> t = centred_mean(u, shear.shear_forces, filter),
                             n = centred_mean(u, shear.normal_forces, filter);
-  std::size_t peak = 0;
-  for (std::size_t k = 1; k < u.size(); ++k)
-    if (t[k] * n[peak] > t[peak] * n[k]) peak = k;
-  const double residual = mean_over_end(u, shear.shear_forces, end_share) /
-                          mean_over_end(u, shear.normal_forces, end_share);
+  const std::size_t peak = largest_ratio(t, n);
+  const double residual = ratio_over_end(u, shear.shear_forces, shear.normal_forces, end_share);
   const double half = first_place_at(u, t, 0.5 * t[peak]);
   results["peak_friction_angle_deg"] = degrees(t[peak] / n[peak]);
   results["residual_friction_angle_deg"] = degrees(residual);
@@ -90,7 +84,7 @@ void describe_strength(const ShearStage& shear, const ShearBox& box,
   results["displacement_at_peak_m"] = u[peak];
   results["peak_shear_stress_Pa"] = t[peak] / box.area();
   results["dilation_angle_at_peak_deg"] =
-      degrees(slope_around(u, shear.heights, u[peak], slope_share * box.mean_size));
+      degrees(slope_around(u, shear.heights, u[peak], slope_share * box.specimen.mean_size));
   // At half the peak.
   results["secant_stiffness_Pa_per_m"] = half > 0 ? 0.5 * t[peak] / box.area() / half : 0;
   const double h = shear.plate_at_begin;
@@ -104,17 +98,17 @@ void describe_strength(const ShearStage& shear, const ShearBox& box,
 void describe_forces(const ShearStage& shear, const ShearBox& box, nlohmann::ordered_json& results)
 {
   const ShearBoxParameters& p = box.parameters();
-  const double way = 1; // all of it
-  const double normal = mean_over_end(shear.displacements, shear.normal_forces, way);
+  const std::vector<double>& u = shear.displacements;
+  const double normal = mean_over_end(u, shear.normal_forces, whole_way);
   results["mean_normal_stress_Pa"] = normal / box.area();
   results["mean_friction_ratio"] =
-      mean_over_end(shear.displacements, shear.shear_forces, way) / normal;
-  results["mean_plate_force_N"] = mean_over_end(shear.displacements, shear.plate_forces, way);
-  results["shear_distance_m"] = shear.displacements.back();
+      ratio_over_end(u, shear.shear_forces, shear.normal_forces, whole_way);
+  results["mean_plate_force_N"] = mean_over_end(u, shear.plate_forces, whole_way);
+  results["shear_distance_m"] = u.back();
   // Rate of shear over the whole height against the time that a stone needs to fall into a pore:
   // below some 1e-3 the rate does not matter.
-  results["inertial_number"] = p.shear.speed / shear.plate_at_begin * box.mean_size *
-                               std::sqrt(p.stones.density * box.area() / normal);
+  results["inertial_number"] = p.shear.speed / shear.plate_at_begin * box.specimen.mean_size *
+                               std::sqrt(p.specimen.stones.density * box.area() / normal);
 }
 
 // After what the contacts say: the earlier of the two counts.
@@ -132,38 +126,22 @@ void describe_usability(const Usable& usable, double from, Summary& summary)
 
 void describe_specimen(const ShearBox& box, RunRecords& records)
 {
-  const World& world = box.world();
-  const dem::Clumps& clumps = world.engine.clumps();
   nlohmann::ordered_json& results = records.summary.results;
-  const double mass = world.engine.mass();
   results["normal_stress_Pa"] = box.parameters().normal_stress;
-  results["stones"] = stones(clumps);
-  results["mean_stone_size_m"] = box.mean_size;
-  results["spheres_per_stone"] = double(clumps.n_spheres()) / std::max(1, clumps.size());
-  results["mass_kg"] = mass;
+  describe_stones(box.specimen, results);
   results["weight_above_plane_N"] = box.weight_above_plane();
   results["height_m"] = box.plate_height();
-  results["bulk_density_kg_per_m3"] = mass / (box.area() * box.plate_height());
-  results["porosity"] = box.porosity();
+  describe_density(box.specimen, box.volume(), results);
 }
 
 void ShearBox::finish(std::vector<Stage>& plan, RunRecords& records) const
 {
   const ShearStage& shear = std::get<ShearStage>(plan.back());
-  Summary& summary = records.summary;
-  summary.seed = parameters_.filling.seed;
-  summary.contacts = world_.engine.n_touching_spheres();
-  add_ledger(summary, shear.ledger);
-  const EnergyLedger change = difference(shear.ledger, shear.ledger_at_begin);
-  summary.energy["shear_wall_work_J"] = change.wall_work;
-  summary.energy["shear_residual_J"] = change.residual();
   const Usable usable = usable_part(shear, *this);
   const ShearStage measured = part_of(shear, usable.records);
-  describe_strength(measured, *this, summary.results);
-  describe_forces(measured, *this, summary.results);
-  describe_contacts(shear.watch, world_, mean_sphere_radius, "shearing", records);
-  describe_usability(usable, measured.displacements.back(), summary);
-  warn_of_ledger(shear.ledger, records);
-  summary.ledger_closes = shear.ledger.relative_error() <= ledger_failure;
+  describe_strength(measured, *this, records.summary.results);
+  describe_forces(measured, *this, records.summary.results);
+  describe_motion(shear.motion, specimen, "shear", "shearing", records);
+  describe_usability(usable, measured.displacements.back(), records.summary);
 }
 } // namespace interlock::coupling

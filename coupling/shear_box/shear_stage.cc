@@ -1,5 +1,4 @@
 #include "coupling/shear_box/shear_box.h"
-#include "coupling/stones/soft_start.h"
 
 #include <fmt/format.h>
 
@@ -7,101 +6,60 @@ namespace interlock::coupling
 {
 namespace
 {
-bool ramping(const ShearStage& stage, const ShearBox& box)
-{
-  // One step more, which reaches the full speed.
-  const World& world = box.world();
-  return world.clock.time() - stage.begin <= box.parameters().shear.ramp_time + 2 * world.clock.dt;
-}
-
 // On the plane between the halves, from the balance of the stones above it [N].
 double normal_force(const ShearForces& forces, const ShearStage& stage)
 {
   return forces.plate + stage.weight_above + forces.friction;
 }
 
-void add_means(ShearStage& stage, const ShearForces& now)
-{
-  const double time = stage.impulse_time;
-  // The first record has no step behind it.
-  const bool first = time == 0;
-  stage.shear_forces.push_back(first ? now.shear : stage.shear_impulse / time);
-  stage.normal_forces.push_back(first ? normal_force(now, stage) : stage.normal_impulse / time);
-  stage.plate_forces.push_back(first ? now.plate : stage.plate_impulse / time);
-  stage.shear_impulse = stage.normal_impulse = stage.plate_impulse = stage.impulse_time = 0;
-}
-
 void record(ShearStage& stage, ShearBox& box, RunRecords& records)
 {
-  World& world = box.world();
-  stage.ledger = world.ledger();
-  if (stage.records == 0) stage.ledger_at_begin = stage.ledger;
-  stage.displacements.push_back(displacement(world.engine, box.walls));
-  stage.heights.push_back(box.plate_height());
-  add_means(stage, shear_forces(world.engine, box.walls));
-  note_record(stage.watch, world, stage.displacements.back(), box.mean_sphere_radius);
-  const double shear = stage.shear_forces.back(), normal = stage.normal_forces.back(),
-               plate = stage.plate_forces.back();
-  std::vector<History::Cell> row = {world.clock.time(),
-                                    stage.displacements.back(),
-                                    shear,
-                                    normal,
-                                    plate,
-                                    normal > 0 ? shear / normal : 0,
-                                    stage.heights.back() - stage.plate_at_begin,
-                                    box.porosity(),
-                                    normal - plate - stage.weight_above,
-                                    static_cast<double>(world.touching_spheres()),
-                                    world.largest(world.largest_overlap())};
-  append_ledger(row, stage.ledger);
-  records.add(row);
-  ++stage.records;
+  const World& world = box.world();
+  const double moved = displacement(world.engine, box.walls), height = box.plate_height();
+  const ShearForces now = shear_forces(world.engine, box.walls);
+  const dem::Vector3 mean = begin_record(stage.motion, box.specimen,
+                                         {now.shear, normal_force(now, stage), now.plate}, moved);
+  const double shear = mean.x(), normal = mean.y(), plate = mean.z();
+  stage.displacements.push_back(moved);
+  stage.heights.push_back(height);
+  stage.shear_forces.push_back(shear);
+  stage.normal_forces.push_back(normal);
+  stage.plate_forces.push_back(plate);
+  end_record(stage.motion, world,
+             {world.clock.time(), moved, shear, normal, plate, normal > 0 ? shear / normal : 0,
+              height - stage.plate_at_begin, box.porosity(), normal - plate - stage.weight_above},
+             records);
 }
 } // namespace
 
 StageStatus before_step(ShearStage& stage, ShearBox& box, RunRecords&)
 {
   World& world = box.world();
-  if (stage.over)
+  if (stage.motion.over)
     return finished(fmt::format("{:.1f} mm, shear force at the end {:.0f} N, plate {:+.2f} mm",
                                 1e3 * stage.displacements.back(), stage.shear_forces.back(),
                                 1e3 * (stage.heights.back() - stage.plate_at_begin)));
-  if (!stage.begun) {
-    world.make_whole();
-    stage.begun = true;
-    stage.begin = world.clock.time();
+  if (begins(stage.motion, world)) {
     stage.plate_at_begin = box.plate_height();
     stage.weight_above = box.weight_above_plane();
   }
-  const OutputParameters& output = box.parameters().output;
-  const double progress = displacement(world.engine, box.walls) / box.parameters().shear.distance;
-  stage.is_last = progress >= 1;
-  stage.record_due = stage.is_last || progress * output.records >= stage.records;
-  stage.frame_due =
-      output.field_frames > 0 && (stage.is_last || progress * output.field_frames >= stage.frames);
-  if (stage.is_last || stage.frame_due) return running(progress, Look::at_everything);
-  return running(progress, stage.record_due || ramping(stage, box) ? Look::at_part : Look::none);
+  const ShearParameters& p = box.parameters().shear;
+  return go_on(stage.motion, world, displacement(world.engine, box.walls) / p.distance, p.ramp_time,
+               box.parameters().output);
 }
 
 void unite_notes(ShearStage& stage, ShearBox& box)
 {
-  stage.watch.largest_overlap = box.world().largest(stage.watch.largest_overlap);
+  unite_overlaps(stage.motion, box.world());
 }
 
 void look(ShearStage& stage, ShearBox& box, RunRecords& records)
 {
   World& world = box.world();
   const ShearParameters& p = box.parameters().shear;
-  stage.over = stage.is_last;
-  if (stage.record_due) record(stage, box, records);
-  if (stage.frame_due) {
-    records.add_frame(world);
-    ++stage.frames;
-  }
-  // Between forces and motion: the work of a wall is booked with the velocity that it moves with.
-  if (ramping(stage, box))
-    set_speed(world.engine, box.walls,
-              p.speed * soft_start(world.clock.time() - stage.begin, p.ramp_time));
+  if (stage.motion.record_due) record(stage, box, records);
+  const double share = end_look(stage.motion, world, p.ramp_time, records);
+  if (share >= 0) set_speed(world.engine, box.walls, p.speed * share);
 }
 
 void after_step(ShearStage& stage, ShearBox& box, RunRecords&)
@@ -109,10 +67,11 @@ void after_step(ShearStage& stage, ShearBox& box, RunRecords&)
   const World& world = box.world();
   const double dt = world.clock.dt;
   const ShearForces forces = shear_forces(world.engine, box.walls);
-  note_overlap(stage.watch, world);
-  stage.shear_impulse += forces.shear * dt;
-  stage.normal_impulse += normal_force(forces, stage) * dt;
-  stage.plate_impulse += forces.plate * dt;
-  stage.impulse_time += dt;
+  dem::Vector3& impulse = stage.motion.impulse;
+  note_overlap(stage.motion, world);
+  impulse.x() += forces.shear * dt;
+  impulse.y() += normal_force(forces, stage) * dt;
+  impulse.z() += forces.plate * dt;
+  stage.motion.impulse_time += dt;
 }
 } // namespace interlock::coupling

@@ -51,6 +51,14 @@ double mean_over_end(const std::vector<double>& place, const std::vector<double>
   return (sum.back() - interpolated(place, sum, place.back() - way)) / way;
 }
 
+std::size_t largest_ratio(const std::vector<double>& above, const std::vector<double>& below)
+{
+  std::size_t largest = 0;
+  for (std::size_t k = 1; k < above.size(); ++k)
+    if (above[k] * below[largest] > above[largest] * below[k]) largest = k;
+  return largest;
+}
+
 double slope_around(const std::vector<double>& place, const std::vector<double>& value,
                     double centre, double length)
 {

@@ -1,6 +1,7 @@
 // What is read off the curve of a strength test. Places ascend: displacements [m] or strains [-].
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace interlock::coupling
@@ -15,6 +16,18 @@ std::vector<double> centred_mean(const std::vector<double>& place, const std::ve
 // way.
 double mean_over_end(const std::vector<double>& place, const std::vector<double>& value,
                      double share);
+
+// What is left at the end of a test: means of one curve over means of another, over the last fifth
+// of the way. The same of the whole way. [-]
+constexpr double end_share = 0.2, whole_way = 1;
+inline double ratio_over_end(const std::vector<double>& place, const std::vector<double>& above,
+                             const std::vector<double>& below, double share)
+{
+  return mean_over_end(place, above, share) / mean_over_end(place, below, share);
+}
+
+// Where one curve is largest over another, which is positive: the first such point.
+std::size_t largest_ratio(const std::vector<double>& above, const std::vector<double>& below);
 
 // Slope of the straight line of least squares through the points within `length`/2 of `centre`; 0
 // through less than two.

@@ -4,12 +4,8 @@
 // Frame: that of triaxial_walls.h.
 #pragma once
 
-#include "coupling/loop/world.h"
-#include "coupling/run/physics_limits.h"
-#include "coupling/run/run_records.h"
 #include "coupling/run/run_request.h"
-#include "coupling/stones/filling.h"
-#include "coupling/stones/stone_shapes.h"
+#include "coupling/strength_test/specimen.h"
 #include "coupling/triaxial/triaxial_parameters.h"
 #include "coupling/triaxial/triaxial_stages.h"
 #include "coupling/triaxial/triaxial_walls.h"
@@ -24,57 +20,54 @@ class Triaxial
 {
 public:
   static constexpr const char* name = "triaxial";
-  using Stage = std::variant<FillStage, IsotropicStage, CompressStage>;
+  using Stage = std::variant<FillStage, ConsolidateStage, CompressStage>;
 
   // Nothing but the parameters: for reading a state into.
-  explicit Triaxial(const TriaxialParameters& parameters);
+  explicit Triaxial(const TriaxialParameters& p) : specimen(p.specimen), parameters_(p) {}
 
   // Makes the stones and the empty box. Throws InputError, one full sentence, when a stone or the
   // time step cannot be used.
-  void prepare(const Monitor& monitor, const std::vector<CaseEntry>& entries);
+  void prepare(const Monitor& monitor, const std::vector<CaseEntry>&)
+  {
+    set_up(specimen.make_stones(monitor));
+  }
   // The same with these stones, which need not fit into the box in any attitude.
   void set_up(const std::vector<Stone>& stones);
 
-  std::vector<Stage> plan() const;
+  std::vector<Stage> plan() const
+  {
+    return {specimen.fill_stage(), ConsolidateStage(), CompressStage()};
+  }
   std::vector<std::string> history_columns() const;
   PhysicsLimits limits() const;
-  void begin(RunRecords& records) const;                          // logs the preparation
-  const std::string& preparation() const { return preparation_; } // what was made, for the log
-  const std::vector<std::string>& stone_warnings() const { return stone_warnings_; }
+  void begin(RunRecords& records) const { specimen.log_preparation(records); }
   void finish(std::vector<Stage>& plan, RunRecords& records) const;
 
-  World& world() { return world_; }
-  const World& world() const { return world_; }
+  World& world() { return specimen.world(); }
+  const World& world() const { return specimen.world(); }
 
   // --- What the stages need to know -------------------------------------------------------------
   const TriaxialParameters& parameters() const { return parameters_; }
-  Filling filling();
-  dem::Vector3 size() const { return block_size(world_.engine, walls); } // below the plate [m]
-  dem::Vector3 stresses() const { return wall_stresses(world_.engine, walls); } // [Pa]
-  double porosity() const; // share of the volume between the walls that is no stone [-]
+  dem::Vector3 size() const { return block_size(world().engine, walls); } // below the plate [m]
+  dem::Vector3 stresses() const { return wall_stresses(world().engine, walls); } // [Pa]
+  double porosity() const { return specimen.porosity(size().prod()); }
 
-  double mean_size = 0;          // of a stone: diameter of the ball of equal mean volume [m]
-  double mean_sphere_radius = 0; // [m]
-  int n_shapes = 0;
+  Specimen specimen;
   TriaxialWalls walls;
 
 private:
   TriaxialParameters parameters_;
-  World world_;
-  std::string preparation_; // what it made, for the log
-  std::vector<std::string> stone_warnings_;
-  double preparation_time_ = 0; // wall-clock [s]
 };
 
 template <class Archive> void exchange(Archive& archive, Triaxial& test)
 {
-  archive("mean_stone_size", test.mean_size, "m");
-  archive("mean_sphere_radius", test.mean_sphere_radius, "m");
-  archive("stone_shapes", test.n_shapes);
+  exchange(archive, test.specimen);
   archive("walls", test.walls);
-  archive("world", test.world());
 }
 
 // Leaves what the stones are like before the compression in the results.
 void describe_specimen(const Triaxial& test, RunRecords& records);
+
+// What a run that has been prepared will take.
+Forecast forecast(const Triaxial& test);
 } // namespace interlock::coupling

@@ -2,12 +2,8 @@
 // member repeats the unit of the entry in the file.
 #pragma once
 
-#include "coupling/parameters/box_parameters.h"
-#include "coupling/parameters/filling_parameters.h"
 #include "coupling/parameters/output_parameters.h"
-#include "coupling/parameters/stone_contact.h"
-#include "coupling/parameters/stone_parameters.h"
-#include "coupling/parameters/time_step.h"
+#include "coupling/strength_test/specimen_parameters.h"
 
 namespace interlock::coupling
 {
@@ -18,17 +14,9 @@ struct CompressionParameters {
 };
 
 struct TriaxialParameters {
-  double gravity = 9.81; // along -z, until the plate lies on the stones [m/s2]
-  StoneParameters stones;
-  BoxParameters box;        // that the stones are poured into; without a slot
-  double cell_pressure = 0; // on the sides, and on the plate until the compression [Pa]
-  // The same while the stones have the friction of the filling; 0: the cell pressure [Pa].
-  double compaction_stress = 0;
-  StoneContactParameters contact;
-  FillingParameters filling;
+  SpecimenParameters specimen; // its gravity acts until the plate lies on the stones
+  double cell_pressure = 0;    // on the sides, and on the plate until the compression [Pa]
   CompressionParameters compression;
-  TimeParameters time;
-  LimitParameters limits;
   OutputParameters output;
 };
 } // namespace interlock::coupling

@@ -1,6 +1,5 @@
 // What a triaxial run leaves in its summary. Formulas: docs/theory/triaxial.md.
 #include "coupling/stones/curve_measures.h"
-#include "coupling/stones/filled_box.h"
 #include "coupling/triaxial/triaxial.h"
 
 #include <algorithm>
@@ -10,9 +9,8 @@ namespace interlock::coupling
 {
 namespace
 {
-// Axial strains over which means are taken for peaks, and slopes [-]; what is left in the end is
-// the mean over that share of the way [-].
-constexpr double filter = 0.005, slope_length = 0.02, end_share = 0.2;
+// Axial strains over which means are taken for peaks, and slopes [-].
+constexpr double filter = 0.005, slope_length = 0.02;
 
 double degrees_of_sine(double sine)
 {
@@ -50,14 +48,10 @@ void describe_strength(const CompressStage& test, nlohmann::ordered_json& result
   const std::vector<double> sides = lateral(test), axial = centred_mean(strain, test.axial, filter),
                             around = centred_mean(strain, sides, filter);
   std::vector<double> deviator(axial.size());
-  std::size_t peak = 0;
-  for (std::size_t k = 0; k < axial.size(); ++k) {
-    deviator[k] = axial[k] - around[k];
-    if (axial[k] * around[peak] > axial[peak] * around[k]) peak = k;
-  }
+  for (std::size_t k = 0; k < axial.size(); ++k) deviator[k] = axial[k] - around[k];
+  const std::size_t peak = largest_ratio(axial, around);
   const double ratio = axial[peak] / around[peak];
-  const double residual =
-      mean_over_end(strain, test.axial, end_share) / mean_over_end(strain, sides, end_share);
+  const double residual = ratio_over_end(strain, test.axial, sides, end_share);
   const double growth = dilatancy(test, peak);
   const double half = first_place_at(strain, deviator, 0.5 * deviator[peak]);
   results["peak_friction_angle_deg"] = friction_angle(ratio);
@@ -85,59 +79,43 @@ void describe_volume(const CompressStage& test, const Triaxial& experiment,
 void describe_stresses(const CompressStage& test, const Triaxial& experiment,
                        nlohmann::ordered_json& results)
 {
-  const double way = 1; // all of it
   const std::vector<double>& strain = test.strains;
-  const double x = mean_over_end(strain, test.across_x, way),
-               y = mean_over_end(strain, test.across_y, way), sides = 0.5 * (x + y);
+  const double x = mean_over_end(strain, test.across_x, whole_way),
+               y = mean_over_end(strain, test.across_y, whole_way), sides = 0.5 * (x + y);
   results["mean_stress_x_Pa"] = x;
   results["mean_stress_y_Pa"] = y;
-  results["mean_stress_ratio"] = mean_over_end(strain, test.axial, way) / sides;
+  results["mean_stress_ratio"] = mean_over_end(strain, test.axial, whole_way) / sides;
   results["axial_strain_at_end"] = strain.back();
   // Rate of strain against the time that a stone needs to fall into a pore: up to some 1e-3 the
   // rate does not matter.
   const TriaxialParameters& p = experiment.parameters();
-  results["inertial_number"] =
-      p.compression.strain_rate * experiment.mean_size * std::sqrt(p.stones.density / sides);
+  results["inertial_number"] = p.compression.strain_rate * experiment.specimen.mean_size *
+                               std::sqrt(p.specimen.stones.density / sides);
 }
 } // namespace
 
 void describe_specimen(const Triaxial& test, RunRecords& records)
 {
-  const World& world = test.world();
-  const dem::Clumps& clumps = world.engine.clumps();
   const dem::Vector3 size = test.size(), stress = test.stresses();
-  const double mass = world.engine.mass();
   nlohmann::ordered_json& results = records.summary.results;
   results["cell_pressure_Pa"] = test.parameters().cell_pressure;
-  results["stones"] = stones(clumps);
-  results["mean_stone_size_m"] = test.mean_size;
-  results["spheres_per_stone"] = double(clumps.n_spheres()) / std::max(1, clumps.size());
-  results["mass_kg"] = mass;
+  describe_stones(test.specimen, results);
   results["length_m"] = size.x();
   results["width_m"] = size.y();
   results["height_m"] = size.z();
   results["consolidated_stress_x_Pa"] = stress.x();
   results["consolidated_stress_y_Pa"] = stress.y();
   results["consolidated_stress_z_Pa"] = stress.z();
-  results["bulk_density_kg_per_m3"] = mass / size.prod();
-  results["porosity"] = test.porosity();
+  describe_density(test.specimen, size.prod(), results);
 }
 
 void Triaxial::finish(std::vector<Stage>& plan, RunRecords& records) const
 {
   const CompressStage& test = std::get<CompressStage>(plan.back());
-  Summary& summary = records.summary;
-  summary.seed = parameters_.filling.seed;
-  summary.contacts = world_.engine.n_touching_spheres();
-  add_ledger(summary, test.ledger);
-  const EnergyLedger change = difference(test.ledger, test.ledger_at_begin);
-  summary.energy["compression_wall_work_J"] = change.wall_work;
-  summary.energy["compression_residual_J"] = change.residual();
-  describe_strength(test, summary.results);
-  describe_volume(test, *this, summary.results);
-  describe_stresses(test, *this, summary.results);
-  describe_contacts(test.watch, world_, mean_sphere_radius, "compression", records);
-  warn_of_ledger(test.ledger, records);
-  summary.ledger_closes = test.ledger.relative_error() <= ledger_failure;
+  nlohmann::ordered_json& results = records.summary.results;
+  describe_strength(test, results);
+  describe_volume(test, *this, results);
+  describe_stresses(test, *this, results);
+  describe_motion(test.motion, specimen, "compression", "compression", records);
 }
 } // namespace interlock::coupling

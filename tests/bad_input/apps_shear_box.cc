@@ -94,20 +94,20 @@ TEST_F(BadShearBox, CaseHasTheStonesAndContactsOfThePullOut)
       apps::read_parameter_file(cases / "ballast/shear_box.prm").parameters);
   const auto pull = std::get<coupling::PullOutParameters>(
       apps::read_parameter_file(cases / "pullout/pullout.prm").parameters);
-  EXPECT_EQ(shear.stones.count, pull.stones.count);
-  EXPECT_EQ(shear.stones.density, pull.stones.density);
-  EXPECT_EQ(shear.stones.d_min, pull.stones.d_min);
-  EXPECT_EQ(shear.stones.r_min, pull.stones.r_min);
-  EXPECT_EQ(shear.stones.max_spheres, pull.stones.max_spheres);
-  EXPECT_EQ(shear.stones.sphere_order, pull.stones.sphere_order);
-  EXPECT_EQ(shear.stones.bulge, pull.stones.bulge);
-  EXPECT_EQ(shear.stones.mass_properties, pull.stones.mass_properties);
-  EXPECT_EQ(shear.contact.stone_stiffness, pull.contact.stone_stiffness);
-  EXPECT_EQ(shear.contact.box_stiffness, pull.contact.box_stiffness);
-  EXPECT_EQ(shear.contact.stone_friction, pull.contact.stone_friction);
-  EXPECT_EQ(shear.contact.box_friction, pull.contact.box_friction);
-  EXPECT_EQ(shear.contact.tangential_ratio, pull.contact.tangential_ratio);
-  EXPECT_EQ(shear.contact.damping_ratio, pull.contact.damping_ratio);
-  EXPECT_EQ(shear.filling.drop_height, pull.filling.drop_height);
-  EXPECT_EQ(shear.filling.local_damping, pull.filling.local_damping);
+  EXPECT_EQ(shear.specimen.stones.count, pull.stones.count);
+  EXPECT_EQ(shear.specimen.stones.density, pull.stones.density);
+  EXPECT_EQ(shear.specimen.stones.d_min, pull.stones.d_min);
+  EXPECT_EQ(shear.specimen.stones.r_min, pull.stones.r_min);
+  EXPECT_EQ(shear.specimen.stones.max_spheres, pull.stones.max_spheres);
+  EXPECT_EQ(shear.specimen.stones.sphere_order, pull.stones.sphere_order);
+  EXPECT_EQ(shear.specimen.stones.bulge, pull.stones.bulge);
+  EXPECT_EQ(shear.specimen.stones.mass_properties, pull.stones.mass_properties);
+  EXPECT_EQ(shear.specimen.contact.stone_stiffness, pull.contact.stone_stiffness);
+  EXPECT_EQ(shear.specimen.contact.box_stiffness, pull.contact.box_stiffness);
+  EXPECT_EQ(shear.specimen.contact.stone_friction, pull.contact.stone_friction);
+  EXPECT_EQ(shear.specimen.contact.box_friction, pull.contact.box_friction);
+  EXPECT_EQ(shear.specimen.contact.tangential_ratio, pull.contact.tangential_ratio);
+  EXPECT_EQ(shear.specimen.contact.damping_ratio, pull.contact.damping_ratio);
+  EXPECT_EQ(shear.specimen.filling.drop_height, pull.filling.drop_height);
+  EXPECT_EQ(shear.specimen.filling.local_damping, pull.filling.local_damping);
 }

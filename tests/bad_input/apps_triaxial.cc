@@ -86,14 +86,14 @@ TEST_F(BadTriaxial, CaseHasTheContactsOfThePullOut)
   };
   const auto test = std::get<coupling::TriaxialParameters>(read("triaxial.prm"));
   const auto pull = std::get<coupling::PullOutParameters>(read("pullout.prm"));
-  EXPECT_EQ(test.stones.count, pull.stones.count);
-  EXPECT_EQ(test.stones.density, pull.stones.density);
-  EXPECT_EQ(test.stones.mass_properties, pull.stones.mass_properties);
-  EXPECT_EQ(test.contact.stone_stiffness, pull.contact.stone_stiffness);
-  EXPECT_EQ(test.contact.box_stiffness, pull.contact.box_stiffness);
-  EXPECT_EQ(test.contact.stone_friction, pull.contact.stone_friction);
-  EXPECT_EQ(test.contact.tangential_ratio, pull.contact.tangential_ratio);
-  EXPECT_EQ(test.contact.damping_ratio, pull.contact.damping_ratio);
-  EXPECT_EQ(test.filling.drop_height, pull.filling.drop_height);
-  EXPECT_EQ(test.filling.local_damping, pull.filling.local_damping);
+  EXPECT_EQ(test.specimen.stones.count, pull.stones.count);
+  EXPECT_EQ(test.specimen.stones.density, pull.stones.density);
+  EXPECT_EQ(test.specimen.stones.mass_properties, pull.stones.mass_properties);
+  EXPECT_EQ(test.specimen.contact.stone_stiffness, pull.contact.stone_stiffness);
+  EXPECT_EQ(test.specimen.contact.box_stiffness, pull.contact.box_stiffness);
+  EXPECT_EQ(test.specimen.contact.stone_friction, pull.contact.stone_friction);
+  EXPECT_EQ(test.specimen.contact.tangential_ratio, pull.contact.tangential_ratio);
+  EXPECT_EQ(test.specimen.contact.damping_ratio, pull.contact.damping_ratio);
+  EXPECT_EQ(test.specimen.filling.drop_height, pull.filling.drop_height);
+  EXPECT_EQ(test.specimen.filling.local_damping, pull.filling.local_damping);
 }

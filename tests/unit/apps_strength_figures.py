@@ -1,7 +1,7 @@
 """The figure scripts of strength tests on small made-up runs.
 
 Fails when a figure is not written, when a folder without history or another test is not answered with one sentence
-and status 2, when a running test stops the other figures, or when fillings of one series are not averaged.
+and status 2, when a running test stops the other figures, or when fillings of one series are not averaged, or mixed up.
 Run by ctest: apps_strength_figures.py APPS_FOLDER
 """
 
@@ -48,13 +48,14 @@ def write_run(folder, peak=None, seed=1, history=HISTORY):
                        "results": {**RESULTS, "peak_friction_angle_deg": peak}}, file)
 
 
-def write_triaxial(folder, peak=None, seed=1):
+def write_triaxial(folder, peak=None, seed=1, compaction=0):
     os.makedirs(folder)
     with open(os.path.join(folder, "history.csv"), "w", encoding="utf-8") as file:
         file.write(TRIAXIAL_HISTORY)
     with open(os.path.join(folder, "used.prm"), "w", encoding="utf-8") as file:
         file.write("set Experiment = triaxial\nsubsection Contact\n set Stone friction = 0.6\nend\n"
-                   "subsection Filling\n set Stone friction = 0.1\nend\nsubsection Load\n set Cell pressure = 3e4\nend\n")
+                   "subsection Filling\n set Stone friction = 0.1\nend\nsubsection Load\n set Cell pressure = 3e4\n"
+                   f" set Compaction stress = {compaction}\nend\n")
     if peak is not None:
         with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as file:
             json.dump({"experiment": "triaxial", "seed": seed,
@@ -108,13 +109,15 @@ class StrengthFigures(unittest.TestCase):
         self.assertEqual(self.draw().returncode, 2)  # no shear box
 
     def test_triaxial_fillings_are_averaged(self):
-        runs = [os.path.join(self.temporary.name, name) for name in ("one", "two", "box")]
+        runs = [os.path.join(self.temporary.name, name) for name in ("one", "two", "tamped", "box")]
         write_triaxial(runs[0], peak=42, seed=1)
         write_triaxial(runs[1], peak=44, seed=2)
-        write_run(runs[2], peak=48)
+        write_triaxial(runs[2], peak=48, compaction=1e5)
+        write_run(runs[3], peak=48)
         answer = run(FIGURE, *runs, "-o", self.temporary.name)
         self.assertEqual(answer.returncode, 0, answer.stderr)
         self.assertIn("| 55 | 0.6 | dense | 30 | 2 | 43.0 ± 1.4 |", answer.stdout)
+        self.assertIn("| 55 | 0.6 | tamped | 30 | 1 | 48.0 |", answer.stdout)
         self.assertIn("box: it is a shear box test", answer.stdout)
 
     def test_fillings_are_averaged(self):

@@ -45,21 +45,21 @@ public:
 ShearBoxParameters parameters(double length, double width, double height)
 {
   ShearBoxParameters p;
-  p.stones.density = 2650;
-  p.box.length = length, p.box.width = width, p.box.height = height;
+  p.specimen.stones.density = 2650;
+  p.specimen.box.length = length, p.specimen.box.width = width, p.specimen.box.height = height;
   p.gap = 0.002;
   p.normal_stress = 5e4;
-  p.contact.stone_stiffness = p.contact.box_stiffness = 2e8;
-  p.contact.tangential_ratio = 1;
-  p.contact.damping_ratio = 0.3;
-  p.filling.plate_speed = 0.05;
-  p.filling.local_damping = 0.5;
-  p.filling.kinetic_energy_ratio = 1e-5;
-  p.filling.settling_time_limit = 1;
+  p.specimen.contact.stone_stiffness = p.specimen.contact.box_stiffness = 2e8;
+  p.specimen.contact.tangential_ratio = 1;
+  p.specimen.contact.damping_ratio = 0.3;
+  p.specimen.filling.plate_speed = 0.05;
+  p.specimen.filling.local_damping = 0.5;
+  p.specimen.filling.kinetic_energy_ratio = 1e-5;
+  p.specimen.filling.settling_time_limit = 1;
   p.shear.speed = 0.02;
   p.shear.distance = 0.6 * r;
   p.shear.ramp_time = 0.01;
-  p.time.safety_factor = 0.7;
+  p.specimen.time.safety_factor = 0.7;
   p.output.records = 60;
   return p;
 }
@@ -78,15 +78,15 @@ protected:
   ShearBoxParameters poured_parameters() const
   {
     ShearBoxParameters p = parameters(0.15, 0.15, 0.12);
-    p.stones.count = 8;
-    p.stones.d_min = p.stones.r_min = 0.003;
-    p.stones.p_max = 100;
-    p.stones.max_spheres = 15;
-    p.contact.stone_stiffness = p.contact.box_stiffness = 1e7;
-    p.contact.stone_friction = 0.6;
-    p.filling.drop_height = 0.02;
-    p.filling.stone_friction = 0.1;
-    p.filling.kinetic_energy_ratio = 1e-6;
+    p.specimen.stones.count = 8;
+    p.specimen.stones.d_min = p.specimen.stones.r_min = 0.003;
+    p.specimen.stones.p_max = 100;
+    p.specimen.stones.max_spheres = 15;
+    p.specimen.contact.stone_stiffness = p.specimen.contact.box_stiffness = 1e7;
+    p.specimen.contact.stone_friction = 0.6;
+    p.specimen.filling.drop_height = 0.02;
+    p.specimen.filling.stone_friction = 0.1;
+    p.specimen.filling.kinetic_energy_ratio = 1e-6;
     return p;
   }
   void pour_into(Poured& box) const
@@ -112,8 +112,8 @@ TEST_F(ShearBoxTest, SingleStoneSlidesWithTheFrictionOfTheWall)
         spheres.push_back({{3 * x * r, 3 * y * r, 1.5 * r}, r});
       }
     ShearBoxParameters p = parameters(8 * r, 8 * r, 4 * r);
-    p.contact.stone_friction = friction;
-    p.contact.box_friction = only_floor ? 0 : friction;
+    p.specimen.contact.stone_friction = friction;
+    p.specimen.contact.box_friction = only_floor ? 0 : friction;
     if (only_floor) p.floor_and_plate_friction = friction;
     Placed box(p);
     box.set_up({stone_of(spheres)});
@@ -146,9 +146,9 @@ TEST_F(ShearBoxTest, RegularLayersClimbOverEachOther)
     }
     const double height = std::sqrt(3) * r; // from layer to layer
     ShearBoxParameters p = parameters(2 * along * r, 2 * across * r, 2 * r + height);
-    p.contact.stone_friction = friction;
+    p.specimen.contact.stone_friction = friction;
     // A layer stands on more contacts than the usual stone.
-    p.time.safety_factor = 0.2;
+    p.specimen.time.safety_factor = 0.2;
     Placed box(p);
     box.set_up({stone_of(below), stone_of(above)});
     const Vector3 middle(along * r, across * r, r);
@@ -197,10 +197,10 @@ TEST_F(ShearBoxTest, PouredStonesAreInBalance)
 TEST_F(ShearBoxTest, CompactionLeavesADenserSpecimenUnderTheSameLoad)
 {
   ShearBoxParameters p = poured_parameters();
-  p.filling.stone_friction = 0;
+  p.specimen.filling.stone_friction = 0;
   Poured plain(p);
   pour_into(plain);
-  p.compaction_stress = 4 * p.normal_stress;
+  p.specimen.compaction_stress = 4 * p.normal_stress;
   Poured compacted(p);
   pour_into(compacted);
   EXPECT_LT(compacted.porosity(), plain.porosity());

@@ -27,7 +27,7 @@ class Placed : public Triaxial
 {
 public:
   using Triaxial::Triaxial;
-  std::vector<Stage> plan() const { return {IsotropicStage(), CompressStage()}; }
+  std::vector<Stage> plan() const { return {ConsolidateStage(), CompressStage()}; }
 };
 
 // Without a compression.
@@ -37,7 +37,7 @@ public:
   using Triaxial::Triaxial;
   std::vector<Stage> plan() const
   {
-    if (!pours) return {IsotropicStage()};
+    if (!pours) return {ConsolidateStage()};
     std::vector<Stage> plan = Triaxial::plan();
     plan.pop_back();
     return plan;
@@ -48,21 +48,21 @@ public:
 TriaxialParameters parameters(double length, double width, double height)
 {
   TriaxialParameters p;
-  p.stones.density = 2650;
-  p.box.length = length, p.box.width = width, p.box.height = height;
+  p.specimen.stones.density = 2650;
+  p.specimen.box.length = length, p.specimen.box.width = width, p.specimen.box.height = height;
   p.cell_pressure = pressure;
-  p.contact.stone_stiffness = p.contact.box_stiffness = 2e8;
-  p.contact.stone_friction = 0.5;
-  p.contact.tangential_ratio = 1;
-  p.contact.damping_ratio = 0.3;
-  p.filling.plate_speed = 0.05;
-  p.filling.local_damping = 0.5;
-  p.filling.kinetic_energy_ratio = 1e-6;
-  p.filling.settling_time_limit = 1;
+  p.specimen.contact.stone_stiffness = p.specimen.contact.box_stiffness = 2e8;
+  p.specimen.contact.stone_friction = 0.5;
+  p.specimen.contact.tangential_ratio = 1;
+  p.specimen.contact.damping_ratio = 0.3;
+  p.specimen.filling.plate_speed = 0.05;
+  p.specimen.filling.local_damping = 0.5;
+  p.specimen.filling.kinetic_energy_ratio = 1e-6;
+  p.specimen.filling.settling_time_limit = 1;
   p.compression.strain_rate = 0.2;
   p.compression.strain = 0.05;
   p.compression.ramp_time = 0.01;
-  p.time.safety_factor = 0.5;
+  p.specimen.time.safety_factor = 0.5;
   p.output.records = 100;
   return p;
 }
@@ -115,13 +115,13 @@ TEST_F(TriaxialTest, CubicLatticeCarriesTheCellPressure)
 TEST_F(TriaxialTest, PouredStonesCarryTheCellPressure)
 {
   TriaxialParameters p = parameters(0.12, 0.12, 0.12);
-  p.stones.count = 8;
-  p.stones.d_min = p.stones.r_min = 0.003;
-  p.stones.p_max = 100;
-  p.stones.max_spheres = 15;
-  p.contact.stone_stiffness = p.contact.box_stiffness = 1e7;
-  p.filling.drop_height = 0.02;
-  p.filling.stone_friction = 0.1;
+  p.specimen.stones.count = 8;
+  p.specimen.stones.d_min = p.specimen.stones.r_min = 0.003;
+  p.specimen.stones.p_max = 100;
+  p.specimen.stones.max_spheres = 15;
+  p.specimen.contact.stone_stiffness = p.specimen.contact.box_stiffness = 1e7;
+  p.specimen.filling.drop_height = 0.02;
+  p.specimen.filling.stone_friction = 0.1;
   AtRest<true> test(p);
   RunRequest request;
   test.prepare(request.monitor, {});
@@ -137,7 +137,7 @@ TEST_F(TriaxialTest, FaceCentredPackingFailsAsItsContactsSlip)
   const double root = std::sqrt(2);
   for (const double friction : {0.3, 0.5}) {
     TriaxialParameters p = parameters(4 * r, 4 * r, 2 * r + 2 * root * r);
-    p.contact.stone_friction = friction;
+    p.specimen.contact.stone_friction = friction;
     Placed test(p);
     // In an endless packing symmetry keeps spheres from turning, here their inertia.
     Stone sphere = stone_of({{Vector3::Zero(), r}});
@@ -169,7 +169,7 @@ TEST_F(TriaxialTest, FaceCentredPackingFailsAsItsContactsSlip)
       EXPECT_NEAR(length, spread, 2e-4 * spread);
       EXPECT_NEAR(width, spread, 2e-4 * spread);
       EXPECT_NEAR(row.at("volume_change"),
-                  spread * spread * height / (16 * r * r * p.box.height) - 1, 5e-4);
+                  spread * spread * height / (16 * r * r * p.specimen.box.height) - 1, 5e-4);
       // sigma_1/sigma_3 of the endless packing, whose cell is root 2 layers high.
       strongest = std::max(strongest, root * force_ratio / std::tan(theta));
       ++compared;
