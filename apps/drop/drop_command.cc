@@ -129,7 +129,7 @@ void draw_drop(const DropArguments& arguments)
                              pull.rows);
     coupling::write_atomically(file, wanted.dump(2) + "\n");
   }
-  const ScriptResult result = run_figure_script("drop_figures.py", arguments.folder);
+  const ScriptResult result = run_figure_script("drop_figures.py", {arguments.folder});
   if (result.status == 2) throw InputError(result.reason);
   if (result.status != 0)
     throw std::runtime_error("the figure could not be drawn: " + result.reason);

@@ -113,13 +113,48 @@ def write_tables(test, rows, series, folder):
                              ("" if np.isnan(deviation) else f" ± {deviation:.{digits}f}"))
             lines.append(f"| {spheres} | {friction:g} | {filling} | {stress:g} | {len(members)} | " +
                          " | ".join(cells) + " |")
+    lines += differences(series, [name for name in measures if name.endswith("angle [degrees]") or "by load" in name])
     with open(os.path.join(folder, "strength.md"), "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
     print("\n".join(lines))
 
 
+# Student's t for intervals of 95 %, by the number of values.
+STUDENT = {2: 12.706, 3: 4.303, 4: 3.182, 5: 2.776, 6: 2.571, 7: 2.447, 8: 2.365, 9: 2.306, 10: 2.262}
+
+
+def differences(series, names):
+    """Lines of a table: how series differ from the one that most others differ from in one respect, paired by the
+    seeds of the fillings; of each filling the mean over the stresses. With intervals of 95 %."""
+    def one_apart(a, b):
+        return sum(x != y for x, y in zip(a, b)) == 1
+
+    reference = max(series, key=lambda key: sum(one_apart(key, other) for other in series))
+    lines = []
+    for key in sorted(series):
+        if not one_apart(key, reference):
+            continue
+        by_seed = {}
+        for stress in set(series[key]) & set(series[reference]):
+            there = {row["seed"]: row for row in series[reference][stress]}
+            for row in series[key][stress]:
+                if row["seed"] in there:
+                    by_seed.setdefault(row["seed"], []).append([row[name] - there[row["seed"]][name] for name in names])
+        values = np.array([np.mean(pairs, axis=0) for pairs in by_seed.values()])
+        if len(values) not in STUDENT:
+            continue
+        half = STUDENT[len(values)] * values.std(axis=0, ddof=1) / np.sqrt(len(values))
+        lines.append("| {} | {:g} | {} | ".format(*key) + f"{len(values)} | " +
+                     " | ".join(f"{mean:+.1f} ± {h:.1f}" for mean, h in zip(values.mean(axis=0), half)) + " |")
+    if not lines:
+        return []
+    return ["", "Differences from {} spheres, friction {:g}, {}, in the same fillings; 95 % intervals:".format(*reference), "",
+            "| spheres | friction | filling | fillings | " + " | ".join(names) + " |",
+            "|" + "---|" * (4 + len(names))] + lines
+
+
 def draw(series, strength_axes, path):
-    figure, axes = plt.subplots(figsize=(8.5, 6), layout="constrained")
+    figure, axes = plt.subplots(figsize=(8.5, 7.5), layout="constrained")
     strength_axes(axes)
     for i, ((spheres, friction, filling), points) in enumerate(sorted(series.items())):
         stresses = sorted(points)
@@ -132,7 +167,7 @@ def draw(series, strength_axes, path):
                           mfc=colour if text == "peak" else "none", linewidth=1, capsize=3,
                           linestyle="-" if text == "peak" else ":",
                           label=f"{spheres} spheres, friction {friction:g}, {filling}: {text}")
-    axes.legend(fontsize=7, edgecolor="none", loc="lower right")
+    axes.legend(fontsize=7, edgecolor="none", loc="upper center", bbox_to_anchor=(0.5, -0.1), ncol=2)
     figures.save(figure, path)
 
 
