@@ -20,8 +20,8 @@ import plain_matplotlib  # before Matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 from line_styles import COLOURS, ENERGIES, STYLES
-from run_files import (InputError, centred_mean, during_pull, find_result, number, read_history, read_parameters,
-                       read_summary, unusable_part)
+from run_files import (InputError, centred_mean, during_pull, find_result, number, of_ribs, read_history,
+                       read_parameters, read_summary, unusable_part)
 
 # The thick line: the force is averaged over so much displacement [m].
 MEAN_LENGTH = 1e-3
@@ -44,13 +44,6 @@ def title_of(run, summary):
     kind = "" if rigid is None else ("rigid geogrid" if rigid else "flexible geogrid")
     name = os.path.basename(os.path.normpath(run))
     return f"{kind} ({name})" if kind else name
-
-
-def of_ribs(parameters, name, direction=""):
-    """A size of the ribs that run `direction`, along or across: of the product, where the run has one."""
-    if "Product/Pitch along" in parameters:
-        return number(parameters, f"Product/{name} {direction}" if direction else "Product/" + name)
-    return number(parameters, "Geogrid/" + name)
 
 
 def geogrid_width(parameters):

@@ -106,7 +106,7 @@ def write(run, data):
         page = before + text + after
     path = os.path.join(run, "report.html")
     try:
-        with open(path + ".part", "w", encoding="utf-8") as file:
+        with open(path + ".part", "w", encoding="utf-8", errors="backslashreplace") as file:
             file.write(page)
         os.replace(path + ".part", path)
     except OSError:

@@ -11,7 +11,7 @@ import numpy as np
 from report_stones import NoReplay, Stones
 from report_surfaces import surfaces
 from report_walls import walls
-from run_files import number
+from run_files import number, of_ribs
 
 MOST_BYTES = 9e6  # of frames; in base64, with libraries and curves, a page below 15 MB
 
@@ -116,11 +116,11 @@ def principal_axes(points):
 
 def geogrid(frames, ribs, steps, parameters):
     chosen = [frames.geogrid.frame_at(time) for time in frames.times]
-    width, thickness = (number(parameters, "Geogrid/Rib " + name) for name in ("width", "thickness"))
+    width, thickness = (of_ribs(parameters, "Rib " + name, "along") for name in ("width", "thickness"))
     return {
         "lines": packed(frames.geogrid.lines(0), "u2"), "points": steps.of(np.array(ribs)),
         "force": packed(np.array([frames.geogrid.attribute(frame, "axial_force") for frame in chosen]), "f4"),
-        "width": width if np.isfinite(width) else 3e-3, "thickness": thickness if np.isfinite(thickness) else 1e-3,
+        "width": width if width > 0 else 3e-3, "thickness": thickness if thickness > 0 else 1e-3,
     }
 
 

@@ -237,7 +237,7 @@ void add_run_command(CLI::App& program)
   command
       ->add_option(
           "--set", arguments->overrides,
-          "Override an entry of the file: \"Geogrid/Youngs modulus=2e9\"; may be repeated.")
+          "Override an entry of the file: \"Contact/Stone friction=0.5\"; may be repeated.")
       ->take_all()
       ->expected(1)
       ->allow_extra_args(false);
@@ -253,8 +253,8 @@ void add_run_command(CLI::App& program)
                     "Take values that are far from those of ballast and geogrids as they are.");
   command->footer(
       "Example: interlock run cases/pullout/quick.prm --set \"Start "
-      "from=results/quick/state_before_pull.h5\" --set \"Geogrid/Youngs modulus=1e9\" -o "
-      "results/softer\n\nExit codes: 0 done, 2 the input is refused, 3 the run failed or its "
+      "from=results/quick/state_before_pull.h5\" --set \"Contact/Geogrid friction=0.4\" -o "
+      "results/smoother\n\nExit codes: 0 done, 2 the input is refused, 3 the run failed or its "
       "result is not to be used, 130 interrupted.");
   command->callback([arguments] { run(*arguments); });
 }

@@ -69,6 +69,13 @@ def number(parameters, name):
         return np.nan
 
 
+def of_ribs(parameters, name, direction=""):
+    """A size of the ribs that run `direction`, along or across: of the product, where the run has one."""
+    if "Product/Pitch along" in parameters:
+        return number(parameters, f"Product/{name} {direction}" if direction else "Product/" + name)
+    return number(parameters, "Geogrid/" + name)
+
+
 def during_pull(history):
     """The records of the pull: those of its stage where stages are named, else all."""
     stage = history.get("stage")

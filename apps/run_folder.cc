@@ -67,10 +67,11 @@ void remove_results(const fs::path& folder)
   for (const fs::path& file : files) fs::remove(file, error);
   fs::remove(folder / "frames", error); // when they are empty
   fs::remove(folder / "figures", error);
-  const fs::path second_pull = folder / "drop"; // of `interlock drop`
-  if (!fs::is_directory(second_pull, error)) return;
+  const fs::path second_pull = folder / "drop";
+  if (!is_there(second_pull / second_pull_mark)) return;
   remove_results(second_pull);
   fs::remove(second_pull / "run.log", error);
+  fs::remove(second_pull / second_pull_mark, error);
   fs::remove(second_pull, error);
 }
 } // namespace

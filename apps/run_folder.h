@@ -6,6 +6,9 @@
 
 namespace interlock::apps
 {
+// A file in a folder that `interlock drop` has made inside that of a run, and may remove again.
+inline constexpr const char* second_pull_mark = "second_pull.txt";
+
 enum class FolderUse {
   fresh,   // of a run that must not find results
   replace, // of one that may remove those of an earlier run

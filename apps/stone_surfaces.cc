@@ -14,12 +14,30 @@ namespace interlock::apps
 {
 namespace
 {
+using coupling::StoneParameters;
+
 // The entries of an experiment that makes its stones; null of the others.
-template <class Parameters> auto stones_of(const Parameters& p, int) -> decltype(&p.stones)
+const StoneParameters* stones_of(const coupling::PullOutParameters& p)
 {
   return &p.stones;
 }
-template <class Parameters> const coupling::StoneParameters* stones_of(const Parameters&, long)
+const StoneParameters* stones_of(const coupling::HeapParameters& p)
+{
+  return &p.stones;
+}
+const StoneParameters* stones_of(const coupling::ShearBoxParameters& p)
+{
+  return &p.specimen.stones;
+}
+const StoneParameters* stones_of(const coupling::TriaxialParameters& p)
+{
+  return &p.specimen.stones;
+}
+const StoneParameters* stones_of(const coupling::PackingParameters&)
+{
+  return nullptr;
+}
+const StoneParameters* stones_of(const coupling::LaboratoryParameters&)
 {
   return nullptr;
 }
@@ -47,9 +65,8 @@ std::string write_stone_surfaces(const std::filesystem::path& folder,
                                  const std::filesystem::path& file)
 try {
   const RunInput input = read_parameter_file(folder / "used.prm");
-  const coupling::StoneParameters* parameters =
-      std::visit([](const auto& p) -> const coupling::StoneParameters* { return stones_of(p, 0); },
-                 input.parameters);
+  const StoneParameters* parameters =
+      std::visit([](const auto& p) { return stones_of(p); }, input.parameters);
   if (!parameters) return "The experiment makes no stones of its own.";
   const std::vector<coupling::StoneScan> scans = coupling::scans_in_body_frames(*parameters);
   if (scans.empty()) return "The clumps of the run came without the surfaces of their stones.";

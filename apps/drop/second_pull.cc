@@ -105,6 +105,11 @@ fs::path state_before_pull(const fs::path& folder)
 void pull_again(const SecondPull& pull)
 {
   const RunInput input = read_parameter_file(pull.first / "used.prm", overrides(pull));
+  const fs::path mark = pull.folder / second_pull_mark;
+  if (fs::exists(pull.folder / "used.prm") && !fs::exists(mark))
+    throw InputError(fmt::format("The folder \"{}\" is where the second pull would be, but holds a "
+                                 "run that \"interlock drop\" has not made; give it another name.",
+                                 pull.folder.string()));
   catch_interruption();
   RunFolder owned(pull.folder, FolderUse::replace);
   RowsOfBoth rows(pull.first / "history.csv", pull.folder / "history.csv", pull.rows);
@@ -124,6 +129,7 @@ void pull_again(const SecondPull& pull)
 
   const ReadyExperiment experiment = input.experiment->prepare(input.parameters, request);
   owned.take();
+  coupling::write_atomically(mark, "Made by \"interlock drop\", and removed with the run above.\n");
   log.open(pull.folder / "run.log");
   coupling::write_atomically(pull.folder / "used.prm", input.used);
   try {

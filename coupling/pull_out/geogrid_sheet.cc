@@ -135,22 +135,26 @@ void check_sheet_fits(const GeogridSheet& sheet, const BoxParameters& box)
 {
   constexpr double rounding = 1e-9; // of decimal lengths [m]
   const fem::Lattice& lattice = sheet.lattice;
+  std::vector<int> ends(lattice.n_nodes(), 0);
+  for (int e = 0; e < lattice.n_elements(); ++e)
+    for (const int node : lattice.element(e).node) ++ends[node];
   double beside = 0, behind = 0; // reach from the middle, and beyond the rear wall [m]
   for (int e = 0; e < lattice.n_elements(); ++e) {
     const double half_width = 0.5 * lattice.shape(e).width;
     const Vector3 across = half_width * (lattice.element(e).frame * Vector3::UnitY()).cwiseAbs();
     for (const int node : lattice.element(e).node) {
       const Vector3& x = lattice.reference_position(node);
-      beside = std::max(beside, std::abs(x.y() - 0.5 * box.width) + across.y());
+      const double edge = ends[node] == 1 && across.x() > rounding ? 0 : across.y();
+      beside = std::max(beside, std::abs(x.y() - 0.5 * box.width) + edge);
       behind = std::max(behind, x.x() + across.x() - box.length);
     }
   }
   if (2 * beside > box.width + rounding)
-    throw InputError(fmt::format("The geogrid is {:.6g} m wide, ribs included, but the box is only "
-                                 "{:g} m wide.",
+    throw InputError(fmt::format("The geogrid (Geogrid/Product, Cut width or Lattice file) is "
+                                 "{:.6g} m wide, ribs included, but the box is only {:g} m wide.",
                                  2 * beside, box.width));
   if (behind > rounding)
-    throw InputError(fmt::format("The geogrid reaches {:.4g} m beyond the rear wall of the box, "
+    throw InputError(fmt::format("The geogrid (Geogrid/Product or Lattice file) reaches {:.4g} m beyond the rear wall of the box, "
                                  "which is {:g} m long.",
                                  behind, box.length));
 }

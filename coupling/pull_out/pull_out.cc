@@ -33,6 +33,14 @@ GeogridSheet laid(const PullOutParameters& p)
 {
   GeogridSheet sheet = lay_geogrid(p.geogrid, front_of_geogrid(p.geogrid, p.box));
   check_sheet_fits(sheet, p.box);
+  // Other sheets have been looked at before anything was laid.
+  double rear = 0; // [m]
+  for (int n = 0; n < sheet.lattice.n_nodes(); ++n)
+    rear = std::max(rear, sheet.lattice.reference_position(n).x());
+  if (p.pull.distance > rear)
+    throw InputError(fmt::format("Pull/Distance: The geogrid is pulled over {:g} m, but only {:.4g} "
+                                 "m of it lie in the box.",
+                                 p.pull.distance, rear));
   return sheet;
 }
 

@@ -58,7 +58,7 @@ std::vector<RibLine> triaxial_lines(const GeogridProduct& product, int along, in
   TriaxialLayout layout;
   layout.origin = front;
   layout.side = product.pitch_across;
-  layout.length = along * product.pitch_along;
+  layout.length = along * std::sqrt(0.75) * layout.side; // a sheet's pitch along is rounded
   layout.width = across * product.pitch_across;
   layout.elements_per_rib = product.elements_per_rib;
   layout.section_across = product.ribs_across.shape;
