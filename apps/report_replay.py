@@ -114,13 +114,18 @@ def principal_axes(points):
     return np.linalg.eigh(np.cov((points - points.mean(axis=0)).T))[1]
 
 
+def section_of_ribs(parameters):
+    """Width and thickness that all ribs are drawn with: of those along the pull, or some where the run does not say [m]."""
+    width, thickness = (of_ribs(parameters, "Rib " + name, "along") for name in ("width", "thickness"))
+    return {"width": width if width > 0 else 3e-3, "thickness": thickness if thickness > 0 else 1e-3}
+
+
 def geogrid(frames, ribs, steps, parameters):
     chosen = [frames.geogrid.frame_at(time) for time in frames.times]
-    width, thickness = (of_ribs(parameters, "Rib " + name, "along") for name in ("width", "thickness"))
     return {
         "lines": packed(frames.geogrid.lines(0), "u2"), "points": steps.of(np.array(ribs)),
         "force": packed(np.array([frames.geogrid.attribute(frame, "axial_force") for frame in chosen]), "f4"),
-        "width": width if width > 0 else 3e-3, "thickness": thickness if thickness > 0 else 1e-3,
+        **section_of_ribs(parameters),
     }
 
 

@@ -80,6 +80,15 @@ class Poses(unittest.TestCase):
         np.testing.assert_allclose(low + steps.step * numbers, points, atol=0.5001 * 0.4 / 65535)
 
 
+class Ribs(unittest.TestCase):
+    def test_section(self):
+        plain = {"Geogrid/Rib width": "0.005", "Geogrid/Rib thickness": "0.0025"}
+        self.assertEqual(report_replay.section_of_ribs(plain), {"width": 0.005, "thickness": 0.0025})
+        product = {"Geogrid/Rib width": "0", "Geogrid/Rib thickness": "0", "Product/Pitch along": "0.065",
+                   "Product/Rib width along": "0.004", "Product/Rib thickness along": "0.0017"}
+        self.assertEqual(report_replay.section_of_ribs(product), {"width": 0.004, "thickness": 0.0017})
+
+
 class Surfaces(unittest.TestCase):
     def test_ball_is_closed(self):
         for halvings, count in ((1, 80), (2, 320)):
