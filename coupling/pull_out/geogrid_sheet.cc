@@ -154,7 +154,8 @@ void check_sheet_fits(const GeogridSheet& sheet, const BoxParameters& box)
                                  "{:.6g} m wide, ribs included, but the box is only {:g} m wide.",
                                  2 * beside, box.width));
   if (behind > rounding)
-    throw InputError(fmt::format("The geogrid (Geogrid/Product or Lattice file) reaches {:.4g} m beyond the rear wall of the box, "
+    throw InputError(fmt::format("The geogrid (Geogrid/Product or Lattice file) reaches {:.4g} m "
+                                 "beyond the rear wall of the box, "
                                  "which is {:g} m long.",
                                  behind, box.length));
 }

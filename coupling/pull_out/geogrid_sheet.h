@@ -32,7 +32,7 @@ dem::Vector3 front_of_geogrid(const GeogridParameters& parameters, const BoxPara
 // one sentence, when a product has no lattice of rigid junctions, or a drawing is no plane lattice.
 GeogridSheet lay_geogrid(const GeogridParameters& parameters, const dem::Vector3& front);
 
-// Throws InputError when the sheet is wider or longer than the box. Where ribs that do not run along
-// x end freely they are cut square to y, as a sheet is: their width reaches no further.
+// Throws InputError when the sheet is wider or longer than the box. Where ribs that do not run
+// along x end freely they are cut square to y, as a sheet is: their width reaches no further.
 void check_sheet_fits(const GeogridSheet& sheet, const BoxParameters& box);
 } // namespace interlock::coupling

@@ -38,9 +38,10 @@ GeogridSheet laid(const PullOutParameters& p)
   for (int n = 0; n < sheet.lattice.n_nodes(); ++n)
     rear = std::max(rear, sheet.lattice.reference_position(n).x());
   if (p.pull.distance > rear)
-    throw InputError(fmt::format("Pull/Distance: The geogrid is pulled over {:g} m, but only {:.4g} "
-                                 "m of it lie in the box.",
-                                 p.pull.distance, rear));
+    throw InputError(
+        fmt::format("Pull/Distance: The geogrid is pulled over {:g} m, but only {:.4g} "
+                    "m of it lie in the box.",
+                    p.pull.distance, rear));
   return sheet;
 }
 

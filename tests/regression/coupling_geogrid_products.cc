@@ -45,7 +45,8 @@ PullOutParameters with_product(const ProductParameters& product, int along, int 
 // What is left in the folder is looked at by `look`.
 template <class Look> Summary run(const PullOutParameters& p, const Look& look)
 {
-  const fs::path folder = fs::temp_directory_path() / ("interlock_geogrid_products_" + std::to_string(getpid()));
+  const fs::path folder =
+      fs::temp_directory_path() / ("interlock_geogrid_products_" + std::to_string(getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder);
   const Summary summary = run_case<PullOut>(p, folder);
