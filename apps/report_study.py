@@ -3,25 +3,17 @@
 Shows what `interlock study` has computed; computes nothing itself.
 """
 
-import csv
 import os
 
 import numpy as np
 from line_styles import COLOURS, DASHES
 from report_curves import chart, line
 from report_text import citation, cited, read_text
+from run_files import read_rows
 
 # Shown of each table; all of them are in the files.
 MOST_ROWS = 400
 ENDS = ("state_hash", "version", "commit")
-
-
-def read_rows(study, name):
-    path = os.path.join(study, name)
-    if not os.path.isfile(path):
-        return []
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
 
 
 def short(text):

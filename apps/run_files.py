@@ -69,6 +69,15 @@ def number(parameters, name):
         return np.nan
 
 
+def read_rows(study, name):
+    """Rows of a table of a study as dictionaries of texts; none where it has no such table."""
+    path = os.path.join(study, name)
+    if not os.path.isfile(path):
+        return []
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
 def of_ribs(parameters, name, direction=""):
     """A size of the ribs that run `direction`, along or across: of the product, where the run has one."""
     if "Product/Pitch along" in parameters:

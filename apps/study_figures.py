@@ -8,7 +8,6 @@ figure whose input is absent or empty is left out. Ends with 2 when the folder h
 """
 
 import argparse
-import csv
 import os
 import sys
 
@@ -17,6 +16,7 @@ import figures  # before Matplotlib, which it sets up
 import h5py
 import matplotlib.pyplot as plt
 import numpy as np
+from run_files import read_rows
 
 # More curves than colours tell nothing.
 MOST_POINTS = len(figures.COLOURS)
@@ -25,14 +25,6 @@ KNOWN = ("force_at_", "initial_stiffness", "peak_force_N", "mean_force_N", "fluc
 MOST_MEASURES = 8
 KIND_COLOURS = {"filling": figures.COLOURS[0], "geogrid": figures.COLOURS[1], "set-up": figures.COLOURS[2],
                 "geogrid and set-up": figures.COLOURS[2], "several": "0.7"}
-
-
-def read_rows(study, name):
-    path = os.path.join(study, name)
-    if not os.path.isfile(path):
-        return []
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
 
 
 def chosen_measures(rows):

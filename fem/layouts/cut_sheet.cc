@@ -19,7 +19,7 @@ struct Span {
 
 // Points that follow `end` on the way from `before` to the cut; none where the rib runs along x or
 // away from the cut, or leaves the sheet before.
-std::vector<Vector3d> stub(const Vector3d& before, const Vector3d& end, const SheetCut& cut,
+std::vector<Vector3d> tail(const Vector3d& before, const Vector3d& end, const SheetCut& cut,
                            const Span& sheet, double width)
 {
   const Vector3d way = end - before;
@@ -58,8 +58,8 @@ std::vector<RibLine> run_to_cut(std::vector<RibLine> lines, const SheetCut& cut)
   for (RibLine& line : lines) {
     std::vector<Vector3d>& x = line.points;
     const std::size_t n = x.size();
-    const auto behind = stub(x[n - 2], x[n - 1], cut, sheet, line.shape.width);
-    const auto before = stub(x[1], x[0], cut, sheet, line.shape.width);
+    const auto behind = tail(x[n - 2], x[n - 1], cut, sheet, line.shape.width);
+    const auto before = tail(x[1], x[0], cut, sheet, line.shape.width);
     x.insert(x.end(), behind.begin(), behind.end());
     x.insert(x.begin(), before.rbegin(), before.rend());
   }

@@ -14,9 +14,9 @@ struct SheetCut {
   double width = 0;
 };
 
-// The same lines with stubs: a rib that ends at the last junction before a cut goes on straight to
-// it, if that is not beyond the first and the last x of the lines. Elements of stubs are about as
-// long as those of the rib. A stub shorter than half its rib's width is left out: it would lie in
+// The same lines with tails: a rib that ends at the last junction before a cut goes on straight to
+// it, if that is not beyond the first and the last x of the lines. Elements of tails are about as
+// long as those of the rib. A tail shorter than half its rib's width is left out: it would lie in
 // the junction. Throws std::invalid_argument when a line reaches beyond the cut already.
 std::vector<RibLine> run_to_cut(std::vector<RibLine> lines, const SheetCut& cut);
 } // namespace interlock::fem

@@ -128,9 +128,9 @@ TEST(GeogridSheet, RowsAreWhatLiesAcrossAtOneX)
   EXPECT_EQ(triaxial.clamped.size(), 4u * 4 + 1);
 }
 
-// Four sides of 46.188 mm are 184.752 mm; cut at 198 mm, rows with five junctions have a stub of
+// Four sides of 46.188 mm are 184.752 mm; cut at 198 mm, rows with five junctions have a tail of
 // 6.624 mm on either side, those with four one of 6.624 mm and half a side. Of a diagonal rib the
-// stub is 1/sin(30 deg) = 2 times as long as it reaches across; it leaves each of the junctions at
+// tail is 1/sin(30 deg) = 2 times as long as it reaches across; it leaves each of the junctions at
 // the rim but the first row's forwards and the last one's backwards, and where no whole rib of its
 // line lies inside: at the last row that falls and at the first one that rises.
 TEST(GeogridSheet, GoesOnToItsCut)
