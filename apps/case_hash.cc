@@ -9,11 +9,30 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <vector>
 
 namespace interlock::apps
 {
 namespace fs = std::filesystem;
+
+namespace
+{
+template <class Value> std::string hash_of_value(const char* name, Value value)
+{
+  coupling::StateTree tree;
+  coupling::StateWriter archive(tree);
+  archive(name, value);
+  return coupling::hexadecimal(coupling::hash_of(tree));
+}
+} // namespace
+
+std::string file_hash(const fs::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return "";
+  return hash_of_value("content", std::string(std::istreambuf_iterator<char>(stream), {}));
+}
 
 std::string case_hash(const fs::path& parameter_file)
 {
@@ -23,10 +42,7 @@ std::string case_hash(const fs::path& parameter_file)
   for (const Assignment& entry : scanned.assignments)
     lines.push_back(entry.key() + "=" + entry.value);
   std::sort(lines.begin(), lines.end());
-  coupling::StateTree tree;
-  coupling::StateWriter archive(tree);
-  archive("lines", lines);
-  return coupling::hexadecimal(coupling::hash_of(tree));
+  return hash_of_value("lines", lines);
 }
 
 void require_one_run(const fs::path& folder)

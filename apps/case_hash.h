@@ -11,6 +11,9 @@ namespace interlock::apps
 // layout and order of the file do not change them. Throws InputError when the file cannot be read.
 std::string case_hash(const std::filesystem::path& parameter_file);
 
+// 16 digits that change when any byte of the file changes; empty when it cannot be read.
+std::string file_hash(const std::filesystem::path& file);
+
 // Throws InputError, one sentence, when summary.json in the folder has an entry `parameters_hash`
 // that is not the case_hash of used.prm beside it: another run has begun there, or parts of two
 // were copied together. A folder that lacks one of the files or that entry is not refused.

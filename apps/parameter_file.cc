@@ -1,12 +1,16 @@
 #include "apps/parameter_file.h"
 
+#include "apps/case_hash.h"
 #include "apps/product_section.h"
 #include "apps/unknown_entry.h"
 #include "apps/value_error.h"
 #include "coupling/parameters/usual_ranges.h"
 #include "dem/input_error.h"
 
+#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
 
 #include <fmt/format.h>
 
@@ -104,14 +108,19 @@ public:
   void find_unusual(const ParameterTable& table)
   {
     for (const ParameterEntry& entry : table.entries()) {
-      const std::string value = table.get(entry);
       if (!coupling::usual_range(entry.key())) continue;
-      const std::string why =
-          coupling::why_unusual(entry.key(), std::strtod(value.c_str(), nullptr), entry.unit);
-      if (!why.empty())
-        add_problem({entry.key(),
-                     fmt::format("It is {} {}, {}. {}", value, entry.unit, why, how_to_insist),
-                     true});
+      std::vector<std::string> values; // several of a list
+      const std::string all = table.get(entry);
+      boost::algorithm::split(values, all, boost::algorithm::is_any_of(","));
+      for (const std::string& value : values) {
+        const std::string why =
+            coupling::why_unusual(entry.key(), std::strtod(value.c_str(), nullptr), entry.unit);
+        if (!why.empty())
+          add_problem({entry.key(),
+                       fmt::format("It is {} {}, {}. {}", boost::algorithm::trim_copy(value),
+                                   entry.unit, why, how_to_insist),
+                       true});
+      }
     }
   }
 
@@ -231,6 +240,14 @@ const Experiment& choose_experiment(Input& input)
   return *experiment; // never reached
 }
 
+// Of an input file its name and content count, not where it lies.
+std::string value_in_state(const ParameterTable& table, const ParameterEntry& entry)
+{
+  const std::string value = table.get(entry);
+  if (!entry.is_input || value.empty()) return value;
+  return fmt::format("{} ({})", fs::path(value).filename().string(), file_hash(value));
+}
+
 RunInput checked(Input input)
 {
   RunInput result;
@@ -255,8 +272,11 @@ RunInput checked(Input input)
   if (!common.unusual) input.find_unusual(table);
   input.throw_errors();
 
+  // The section Product has it all now, wherever its file goes.
+  if (!result.experiment->product_entry.empty())
+    table.set(*find_entry(table, result.experiment->product_entry), "");
   for (const ParameterEntry& entry : table.entries())
-    result.entries.push_back({entry.key(), table.get(entry)});
+    result.entries.push_back({entry.key(), value_in_state(table, entry)});
   std::ostringstream used;
   coupling::write_parameters(used, table);
   result.used = used.str();

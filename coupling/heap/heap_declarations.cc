@@ -36,9 +36,10 @@ void declare_contact(ParameterTable& table, HeapContactParameters& contact)
 void declare_mesh_wall(ParameterTable& table, MeshWallParameters& wall)
 {
   table.open_section("Mesh wall");
-  table.offer_file("File", wall.file,
-                   "A fixed wall of triangles (STL, PLY, OBJ), such as a hopper, relative to this "
-                   "file; empty: none.");
+  table.offer_input_file(
+      "File", wall.file,
+      "A fixed wall of triangles (STL, PLY, OBJ), such as a hopper, relative to this "
+      "file; empty: none.");
   table.offer("Length unit", wall.length_unit, 0, not_negative,
               "Length of one unit of the file, 0.001 for millimetres; needed with a file. [m]");
   table.offer("Friction", wall.friction, 0.5, friction, "Friction coefficient with stones. [-]");

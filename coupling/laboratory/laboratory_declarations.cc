@@ -28,10 +28,11 @@ void declare_test(ParameterTable& table, LaboratoryTestParameters& test)
               "Apertures of the piece for supports and loads, and for modes. [-]");
   table.offer("Apertures across", test.apertures_across, 4, {1, 1000, true},
               "The same in the other direction. [-]");
-  table.offer_file("Lattice file", test.lattice_file,
-                   "A Gmsh file (.msh) instead of the piece, relative to this file: its groups of "
-                   "lines are named "
-                   "along or across and take those ribs, its groups of points are sets of nodes.");
+  table.offer_input_file(
+      "Lattice file", test.lattice_file,
+      "A Gmsh file (.msh) instead of the piece, relative to this file: its groups of "
+      "lines are named "
+      "along or across and take those ribs, its groups of points are sets of nodes.");
   table.offer("Lattice length unit", test.lattice_length_unit, 1, positive,
               "Length of one unit of that file, 0.001 for millimetres. [m]");
   table.offer_text(

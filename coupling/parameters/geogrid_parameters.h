@@ -12,7 +12,7 @@ namespace interlock::coupling
 struct GeogridParameters {
   bool rigid = false;                  // prescribe every freedom (the paper's geogrid)
   std::string placement = "flattened"; // flattened | not flattened
-  std::string product_file;            // that `product` was read from; empty: none
+  std::string product_file; // that `product` was read from; empty: none, or its values are known
   // Instead of pitches, section, material and elements of the entries below.
   std::optional<ProductParameters> product;
   std::string lattice_file;       // .msh with the ribs of the product or the entries; empty: none

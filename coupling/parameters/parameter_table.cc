@@ -218,6 +218,13 @@ void ParameterTable::offer_file(const std::string& name, std::string& member,
   entries_.back().is_path = true;
 }
 
+void ParameterTable::offer_input_file(const std::string& name, std::string& member,
+                                      const std::string& text)
+{
+  offer_file(name, member, text);
+  entries_.back().is_input = true;
+}
+
 void ParameterTable::offer_folder(const std::string& name, std::string& member,
                                   const std::string& text)
 {

@@ -30,6 +30,7 @@ struct ParameterEntry {
   std::string allowed;     // in words: "a number greater than 0"
   bool required = false;   // has no default
   bool is_path = false;    // of a file or folder
+  bool is_input = false;   // of a file whose content belongs to the case
   bool is_text = false;    // any text: a name
   std::string replaced_by; // key of an entry that, where it is given, stands for this one, too
 
@@ -80,6 +81,8 @@ public:
   void offer_text(const std::string& name, std::string& member, const std::string& text);
   void require_file(const std::string& name, std::string& member, const std::string& text);
   void offer_file(const std::string& name, std::string& member, const std::string& text);
+  // Whose content belongs to the case, as much as any entry.
+  void offer_input_file(const std::string& name, std::string& member, const std::string& text);
   void offer_folder(const std::string& name, std::string& member, const std::string& text);
 
   // In the order in which they were declared.

@@ -37,6 +37,13 @@ void check_ribs(const ProductRibsParameters& ribs, double neighbour_pitch,
   if (ribs.stiffness_5 > 0 && ribs.stiffness_2 <= 0)
     problems.add("Product/Stiffness at 5 % " + direction,
                  "It needs the stiffness at 2 %, which is not given.");
+  const bool has_5 = ribs.stiffness_5 > 0;
+  const double strain = has_5 ? 0.05 : 0.02,
+               force = strain * (has_5 ? ribs.stiffness_5 : ribs.stiffness_2);
+  if (ribs.strength > 0 && ribs.strength < force)
+    problems.add("Product/Strength " + direction, "Ribs that yield at ", ribs.strength,
+                 " N/m cannot carry the ", force, " N/m that the stiffness says for a strain of ",
+                 100 * strain, " %.");
 }
 } // namespace
 

@@ -43,7 +43,7 @@ void declare_product_files(ParameterTable& table, GeogridParameters& geogrid)
       "Parameter file whose section Product says what the geogrid is, such as those in "
       "cases/geogrids, relative to this file; empty: the entries below, or a section "
       "Product of this file.");
-  table.offer_file(
+  table.offer_input_file(
       "Lattice file", geogrid.lattice_file,
       "A Gmsh file (.msh) with the whole lattice, relative to this file: its groups of "
       "lines are named along or across and take those ribs; a group of points clamp "
@@ -153,7 +153,7 @@ void declare_pull_out(ParameterTable& table, PullOutParameters& parameters)
   declare_time(table, parameters.time);
   declare_limits_and_output(table, parameters.limits, parameters.output);
   table.offer_list("Frames at", parameters.frames_at,
-                   "Displacements of the front edge at which a frame for ParaView is written, too. "
-                   "[m]");
+                   "Displacements of the front edge at which a frame for ParaView is written, too; "
+                   "of a pull that is resumed, those still to come. [m]");
 }
 } // namespace interlock::coupling

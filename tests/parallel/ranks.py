@@ -200,8 +200,10 @@ def random_case(chance):
     if case == SMALL:
         entries += [f"Filling/Seed={chance.randint(1, 10**6)}", f"Contact/Stone friction={chance.uniform(0.3, 0.9):.3f}",
                     f"Pull/Distance={chance.uniform(0.0005, 0.004):.4g}",
-                    f"Geogrid/Youngs modulus={10**chance.uniform(8.5, 10):.4g}",
                     f"Output/Checkpoint interval={chance.choice([0, 0.5, 2])}"]
+        modulus = f"Geogrid/Youngs modulus={10**chance.uniform(8.5, 10):.4g}"
+        if not any(entry.startswith("Geogrid/Product=") for entry in entries):  # a product brings its own
+            entries.append(modulus)
     elif case == PACKING:
         entries += [f"Packing/Seed={chance.randint(1, 10**6)}", f"Contact/Friction={chance.uniform(0.2, 0.9):.3f}"]
     else:
