@@ -7,6 +7,7 @@
 #include "apps/interruption.h"
 #include "apps/mpi_start.h"
 #include "apps/nearest_name.h"
+#include "apps/parameters_command.h"
 #include "apps/ranks.h"
 #include "apps/report_command.h"
 #include "apps/run_command.h"
@@ -96,6 +97,7 @@ void add_commands(CLI::App& program)
   apps::add_clump_command(program);
   apps::add_stones_command(program);
   apps::add_template_command(program);
+  apps::add_parameters_command(program);
   apps::add_report_command(program);
   apps::add_drop_command(program);
   add_help_command(program);

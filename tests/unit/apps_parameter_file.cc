@@ -178,8 +178,9 @@ TEST_F(ParameterFile, KeepsTheContentOfInputFilesInMind)
   const auto kept = [&](const std::string& name, const std::string& content) {
     fs::create_directories((folder / name).parent_path());
     write(name, content);
-    const auto input = apps::read_parameter_file(write("lab.prm", apps::laboratory_template()),
-                                                 {"Laboratory/Lattice file=" + name});
+    const auto input =
+        apps::read_parameter_file(write("lab.prm", apps::laboratory_template()),
+                                  {"Laboratory/Lattice file=" + (folder / name).string()});
     for (const coupling::CaseEntry& entry : input.entries)
       if (entry.key == "Laboratory/Lattice file") return entry.value;
     return std::string();
