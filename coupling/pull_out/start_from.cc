@@ -42,6 +42,7 @@ const std::vector<std::string> without_effect_before_geogrid = {"Unusual values"
                                                                 "Limits/",
                                                                 "Geogrid/",
                                                                 "Product/",
+                                                                "Contact/Ribs touch walls",
                                                                 "Surcharge/",
                                                                 "Box/Slot height",
                                                                 "Filling/Drop height",
