@@ -115,7 +115,7 @@ WallGap RibWallPoints::gap_at_front(const Vertex& vertex, const Vector3& x, bool
   const double along = x.x() - std::clamp(x.x(), -core_x, core_x);
   const double up = below ? std::max(0., x.z() - core_z - box_.slot_bottom)
                           : std::min(0., x.z() + core_z - box_.slot_top);
-  const double d = std::hypot(along, up);
+  const double d = std::sqrt(along * along + up * up);
   const Vector3 n = d > 0 ? Vector3(along / d, 0, up / d) : Vector3(0, 0, below ? 1 : -1);
   return {round - d, n, 0, false};
 }
@@ -128,7 +128,7 @@ WallGap RibWallPoints::gap_at_edge(const Vertex& vertex, const Vector3& a, const
   const double way = -a.x() * chord_x + (height - a.z()) * chord_z;
   const double xi = square > 0 ? std::clamp(way / square, 0., 1.) : 0;
   const double x = a.x() + xi * chord_x, z = a.z() + xi * chord_z - height;
-  const double d = std::hypot(x, z);
+  const double d = std::sqrt(x * x + z * z);
   const Vector3 n = d > 0 ? Vector3(x / d, 0, z / d) : Vector3::UnitZ();
   return {vertex.half_thickness - d, n, xi, false};
 }

@@ -1,5 +1,6 @@
 #include "coupling/loop/rib_walls.h"
 
+#include "coupling/loop/rib_wall_search.h"
 #include "dem/contacts/single_contact.h"
 
 #include <algorithm>
@@ -47,9 +48,9 @@ RibWalls::RibWalls(const RibBox& box, const dem::RibSet& ribs,
 
 void RibWalls::update(const dem::RibSet& ribs, double dt)
 {
-  // The factor and the margin leave room for what kicks do within the step.
-  const double margin = 0.01 * ribs.largest_half_thickness();
+  const RibWallSearch search(box_, ribs, dt);
   std::vector<RibTouch> near;
+  near.reserve(touches_.size() + 8);
   auto old = touches_.cbegin();
   const auto look_at = [&](int vertex, BoxSide side) {
     if (!points_.can_touch(vertex, side)) return;
@@ -57,18 +58,24 @@ void RibWalls::update(const dem::RibSet& ribs, double dt)
     touch.vertex = vertex, touch.side = side;
     while (old != touches_.cend() && key(*old) < key(touch)) ++old;
     if (old != touches_.cend() && key(*old) == key(touch)) touch = *old;
-    double speed = Vector3(ribs.velocity[vertex]).norm();
-    if (points_.is_edge(side)) speed = std::max(speed, Vector3(ribs.velocity[vertex + 1]).norm());
-    const bool may_touch = points_.gap(ribs, vertex, side).overlap > -(2 * dt * speed + margin);
-    if (may_touch || holds_something(touch)) near.push_back(touch);
+    const double room = search.room(vertex, points_.is_edge(side));
+    if (points_.gap(ribs, vertex, side).overlap > -room || holds_something(touch))
+      near.push_back(touch);
   };
+  bool is_near[RibWallSearch::block];
   for (const dem::EndRange& ends : ribs.present_ends()) {
     const int end = std::min(ends.end, static_cast<int>(node_.size()));
-    for (int vertex = ends.begin; vertex < end; ++vertex)
-      for (int side = 0; side < n_box_sides; ++side) {
-        const bool is_there = !points_.is_edge(static_cast<BoxSide>(side)) || vertex + 1 < end;
-        if (is_there) look_at(vertex, static_cast<BoxSide>(side));
+    for (int first = ends.begin; first < end; first += RibWallSearch::block) {
+      const int n = std::min(RibWallSearch::block, end - first);
+      search.find(first, n, is_near);
+      for (int k = 0; k < n; ++k) {
+        if (!is_near[k]) continue;
+        for (int side = 0; side < n_box_sides; ++side) {
+          const bool is_there = !points_.is_edge(static_cast<BoxSide>(side)) || first + k + 1 < end;
+          if (is_there) look_at(first + k, static_cast<BoxSide>(side));
+        }
       }
+    }
   }
   touches_ = std::move(near);
 }
