@@ -131,8 +131,8 @@ TEST(RibWalls, LongitudinalRibsLieOnTheEdge)
   const RibWallPoints points(box(), along);
   dem::RibSet tilted = along;
   const double slope = 0.1, lift = 1.2e-3;
-  tilted.position[0] = {-0.01, 0.05, bottom + lift - 0.01 * slope};
-  tilted.position[1] = {0.01, 0.05, bottom + lift + 0.01 * slope};
+  tilted.position[0] = Vector3(-0.01, 0.05, bottom + lift - 0.01 * slope);
+  tilted.position[1] = Vector3(0.01, 0.05, bottom + lift + 0.01 * slope);
   const WallGap gap = points.gap(tilted, 0, BoxSide::edge_below);
   const double cosine = 1 / std::sqrt(1 + slope * slope);
   EXPECT_NEAR(gap.overlap, half_thickness - lift * cosine, 1e-15);

@@ -8,6 +8,7 @@
 #include "tests/dem_bodies.h"
 #include "tests/temporary_folder.h"
 
+#include <algorithm>
 #include <memory>
 
 using namespace interlock;
@@ -143,13 +144,15 @@ TEST_P(WorldState, ManyInterruptionsChangeNoDigit)
 {
   const std::unique_ptr<World> one = start(GetParam());
   std::unique_ptr<World> many = start(GetParam());
+  double deepest = 0; // [m]
   for (int part = 0; part < 40; ++part) {
     many = carried_over(*many, folder / "state.h5");
     run(*one, 1 + part % 23);
     run(*many, 1 + part % 23);
     ASSERT_NO_FATAL_FAILURE(expect_same(*one, *many, "part " + std::to_string(part)));
+    deepest = std::max(deepest, many->largest_overlap());
   }
-  EXPECT_GT(many->largest_overlap(), 0);
+  EXPECT_GT(deepest, 0);
 }
 
 // The stone that is sub-cycled with the ribs goes; the indices of the others shift.
