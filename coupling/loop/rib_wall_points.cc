@@ -102,8 +102,7 @@ WallGap RibWallPoints::gap(const dem::RibSet& ribs, int v, BoxSide side) const
     break;
   }
   const double reach = vertex.reach[static_cast<int>(side)];
-  const bool outside = x.x() <= 0;
-  return {outside ? -1. : reach - distance(x, side), inward(side), 0, outside};
+  return {reach - distance(x, side), inward(side), 0};
 }
 
 // The section is a bar with round edges: a core, flat or upright, grown by half its smaller size.
@@ -117,7 +116,7 @@ WallGap RibWallPoints::gap_at_front(const Vertex& vertex, const Vector3& x, bool
                           : std::min(0., x.z() + core_z - box_.slot_top);
   const double d = std::sqrt(along * along + up * up);
   const Vector3 n = d > 0 ? Vector3(along / d, 0, up / d) : Vector3(0, 0, below ? 1 : -1);
-  return {round - d, n, 0, false};
+  return {round - d, n, 0};
 }
 
 WallGap RibWallPoints::gap_at_edge(const Vertex& vertex, const Vector3& a, const Vector3& b,
@@ -130,6 +129,6 @@ WallGap RibWallPoints::gap_at_edge(const Vertex& vertex, const Vector3& a, const
   const double x = a.x() + xi * chord_x, z = a.z() + xi * chord_z - height;
   const double d = std::sqrt(x * x + z * z);
   const Vector3 n = d > 0 ? Vector3(x / d, 0, z / d) : Vector3::UnitZ();
-  return {vertex.half_thickness - d, n, xi, false};
+  return {vertex.half_thickness - d, n, xi};
 }
 } // namespace interlock::coupling

@@ -25,12 +25,11 @@ struct RibBox {
 enum class BoxSide { floor, right, left, back, front_below, front_above, edge_below, edge_above };
 constexpr int n_box_sides = 8;
 
-// One vertex or element against one side.
+// One vertex or element against one side. The planes go on outside the box.
 struct WallGap {
   double overlap; // negative: gap [m]
   dem::Vector3 n; // unit, from the wall to the rib
   double xi;      // where on the element that begins at the vertex; 0 where the vertex touches
-  bool outside;   // the vertex has left the box, so that the overlap has ended at once
 };
 
 class RibWallPoints
@@ -52,11 +51,11 @@ public:
 
 private:
   struct Vertex {
-    int rib = -1;                                // that begins here
-    bool along = false;                          // its line: within 45 degrees of x
-    std::array<double, 4> reach{-1, -1, -1, -1}; // towards the planes, -1: no rib is here [m]
-    double reach_x = 0, reach_z = 0;             // of the section [m]
-    double half_thickness = 0;                   // of the rib that begins here [m]
+    int rib = -1;                            // that begins here
+    bool along = false;                      // its line: within 45 degrees of x
+    std::array<double, 4> reach{0, 0, 0, 0}; // towards the planes [m]
+    double reach_x = 0, reach_z = 0;         // of the section [m]
+    double half_thickness = 0;               // of the rib that begins here [m]
   };
   void add_rib(const dem::Rib& rib, int first_end, int number);
   double distance(const dem::Vector3& x, BoxSide plane) const; // from the inside of a plane [m]

@@ -111,8 +111,6 @@ void RibWalls::evaluate(RibTouch& touch, const WallGap& gap, const dem::RibSet& 
     touch.force = dem::linear_contact_force(pair, mass_at(touch.vertex, gap.xi), gap.overlap, gap.n,
                                             velocity, h, history, energy);
   } else {
-    // What leaves the box leaves its normal spring behind.
-    if (gap.outside) energy.friction += dem::stored_energy(pair, history.overlap, 0, 0, {});
     dem::end_contact(pair, -gap.overlap, velocity, h, history, energy);
     touch.force.setZero();
   }

@@ -97,8 +97,8 @@ TEST(RibWalls, SectionsReachWithTheirSidesAndNotThroughTheWall)
   const dem::RibSet near = rod({0.01, 1e-3, 0.05}, {0.02, 1e-3, 0.05});
   EXPECT_EQ(overlap(near, BoxSide::right, {0.01, 1e-3, 0.05}), 0);
   EXPECT_NEAR(overlap(near, BoxSide::right, {0.01, 1e-3 - d, 0.05}), d, 1e-15);
-  // Outside of the box there are no walls.
-  EXPECT_LT(overlap(along, BoxSide::floor, {-0.01, 0.05, 0}), 0);
+  // They go on outside of the box.
+  EXPECT_NEAR(overlap(along, BoxSide::floor, {-0.01, 0.05, half_thickness - d}), d, 1e-15);
 }
 
 // Down the face of the front wall, over the edge, and onto it: at the edge the overlap is that of
