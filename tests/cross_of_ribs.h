@@ -6,6 +6,7 @@
 #include "dem/bodies/clump_shape.h"
 
 #include <cmath>
+#include <optional>
 
 namespace cross_of_ribs
 {
@@ -25,8 +26,10 @@ inline fem::RibSection rib_section()
   return section;
 }
 
-// Weightless ribs along x and y, of `elements` beams each; the ends are held.
-inline coupling::RibTransfer cross(int elements, double mass_damping = 0)
+// Weightless ribs along x and y, of `elements` beams each; the ends are held. With a box they touch
+// its walls.
+inline coupling::RibTransfer cross(int elements, double mass_damping = 0,
+                                   const std::optional<coupling::RibBox>& box = {})
 {
   std::vector<fem::RibLine> lines;
   for (const Vector3& direction : {Vector3(half_length, 0, 0), Vector3(0, half_length, 0)}) {
@@ -40,7 +43,7 @@ inline coupling::RibTransfer cross(int elements, double mass_damping = 0)
     if (lattice.reference_position(node).norm() > half_length - 1e-9) ends.push_back(node);
   fem::DynamicsOptions options;
   options.mass_damping = mass_damping;
-  return coupling::RibTransfer(std::move(lattice), options, ends, false, edge_rounding);
+  return coupling::RibTransfer(std::move(lattice), options, ends, false, edge_rounding, box);
 }
 
 inline dem::ContactProperties contact(double damping_ratio)

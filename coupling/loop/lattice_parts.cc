@@ -1,11 +1,13 @@
 #include "coupling/loop/lattice_parts.h"
 
+#include "dem/parallel/byte_archive.h"
 #include "dem/ribs/rib_search.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <set>
+#include <tuple>
 
 namespace interlock::coupling
 {
@@ -20,6 +22,15 @@ dem::Vector3 place_of(const fem::ExplicitDynamics& dynamics, int block)
   const fem::Lanes3& x = dynamics.slot_positions();
   const int slot = block * fem::ExplicitDynamics::slots_of_block();
   return {x[0][slot], x[1][slot], x[2][slot]};
+}
+
+// A block's part of all that a lattice has besides contacts that touch.
+std::vector<double*> rows_of(RibTransfer& geogrid)
+{
+  std::vector<double*> rows = geogrid.dynamics().all_rows();
+  if (RibWalls* walls = geogrid.walls())
+    for (double* row : walls->rows()) rows.push_back(row);
+  return rows;
 }
 
 // Messages of whole numbers.
@@ -133,7 +144,7 @@ void LatticeParts::connect(const std::vector<int>& needed, const std::vector<boo
 void LatticeParts::gather() const
 {
   fem::ExplicitDynamics& dynamics = geogrid_.dynamics();
-  const std::vector<double*> rows = dynamics.all_rows();
+  const std::vector<double*> rows = rows_of(geogrid_);
   const std::size_t size = fem::ExplicitDynamics::slots_of_block() * sizeof(double);
   // Calls `copy` with each place of a rank's message and the place of the rows that it belongs to.
   const auto for_each_place = [&](int rank, dem::Bytes& message, const auto& copy) {
@@ -153,7 +164,30 @@ void LatticeParts::gather() const
       for_each_place(rank, all[rank],
                      [&](const std::byte* from, double* to) { std::memcpy(to, from, size); });
 
+  gather_touches();
   const fem::LatticeExtremes here = dynamics.extremes(false);
   dynamics.set_extremes({ranks_.largest(here.force), ranks_.largest(here.plastic_stretch), 0});
+}
+
+// Each rank has evaluated those of its slots, and some of others.
+void LatticeParts::gather_touches() const
+{
+  if (!geogrid_.walls()) return;
+  std::vector<RibTouch> mine, all;
+  for (const RibTouch& touch : geogrid_.walls()->touches())
+    if (owner_[touch.vertex] == ranks_.rank()) mine.push_back(touch);
+  dem::Bytes bytes;
+  dem::ByteWriter writer(bytes);
+  writer("touches", mine);
+  for (const dem::Bytes& said : ranks_.all(bytes)) {
+    std::vector<RibTouch> theirs;
+    dem::ByteReader reader(said);
+    reader("touches", theirs);
+    all.insert(all.end(), theirs.begin(), theirs.end());
+  }
+  std::sort(all.begin(), all.end(), [](const RibTouch& p, const RibTouch& q) {
+    return std::tie(p.vertex, p.side) < std::tie(q.vertex, q.side);
+  });
+  geogrid_.walls()->set_touches(std::move(all));
 }
 } // namespace interlock::coupling

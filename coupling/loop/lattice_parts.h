@@ -45,6 +45,7 @@ public:
 private:
   std::vector<int> near_ribs(const dem::Domain& domain, const dem::Clumps& clumps) const;
   void connect(const std::vector<int>& needed, const std::vector<bool>& loads);
+  void gather_touches() const;
 
   const dem::Ranks& ranks_;
   RibTransfer& geogrid_;

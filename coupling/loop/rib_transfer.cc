@@ -8,7 +8,8 @@
 namespace interlock::coupling
 {
 RibTransfer::RibTransfer(const fem::Lattice& unloaded, const fem::DynamicsOptions& options,
-                         const std::vector<int>& clamped, bool rigid, double edge_rounding)
+                         const std::vector<int>& clamped, bool rigid, double edge_rounding,
+                         const std::optional<RibBox>& box)
     : rigid_(rigid), dynamics_(unloaded, options), node_rates_(unloaded.n_nodes(), 0.),
       is_clamped_(unloaded.n_nodes(), rigid)
 {
@@ -37,6 +38,7 @@ RibTransfer::RibTransfer(const fem::Lattice& unloaded, const fem::DynamicsOption
   ribs_ = dem::RibSet(std::move(shapes), dynamics_.n_slots());
   hold_all();
   refresh_ribs();
+  if (box) walls_.emplace(*box, ribs_, dynamics_);
 }
 
 void RibTransfer::hold_all()
@@ -107,9 +109,23 @@ void RibTransfer::apply(const std::vector<dem::RodLoads>& loads)
       dynamics_.add_end_load(load.rib, end, load.force[end], load.moment[end]);
 }
 
+void RibTransfer::update_walls(double dt)
+{
+  if (walls_) walls_->update(ribs_, dt);
+}
+
+void RibTransfer::apply_walls(double h)
+{
+  if (walls_) walls_->load(ribs_, h, dynamics_);
+}
+
+void RibTransfer::add_wall_rates(std::vector<NodeRate>& rates) const
+{
+  if (walls_) walls_->add_rates(ribs_, rates);
+}
+
 std::vector<NodeRate> RibTransfer::contact_rates(const dem::RibContacts& contacts) const
 {
-  constexpr double shift = 1.5 * static_cast<double>(1ull << 62); // rounds to multiples of 2^10
   std::vector<NodeRate> rates;
   for (const dem::RibContact& c : contacts.contacts()) {
     if (c.overlap <= 0) continue;
@@ -138,7 +154,7 @@ std::vector<NodeRate> RibTransfer::contact_rates(const dem::RibContacts& contact
     for (int end : {0, 1}) {
       const double rate = std::max(k.normal * pushed[end] * (pushed[0] + pushed[1]),
                                    k.tangential * dragged[end] * (dragged[0] + dragged[1]));
-      rates.push_back({lattice().element(c.rib).node[end], (rate + shift) - shift});
+      rates.push_back(node_rate(lattice().element(c.rib).node[end], rate));
     }
   }
   return rates;

@@ -2,20 +2,16 @@
 // the ribs of dem, contact wrenches go from the ribs to the nodes of the lattice.
 #pragma once
 
+#include "coupling/loop/node_rate.h"
+#include "coupling/loop/rib_walls.h"
 #include "dem/ribs/rib_contacts.h"
 #include "fem/explicit/explicit_dynamics.h"
 
-#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace interlock::coupling
 {
-// A bound on the squared frequencies that contacts give a node of the lattice [1/s2].
-struct NodeRate {
-  std::int64_t node;
-  double rate; // a multiple of 1024: sums of them know no order
-};
-
 // What the number of sub-steps goes by: maxima, so those of parts of a lattice make that of the
 // whole.
 struct SubstepNeeds {
@@ -30,23 +26,36 @@ class RibTransfer
 public:
   // `clamped` nodes are moved by the clamp, all of them for a rigid geogrid; `edge_rounding` is the
   // radius of the ribs' edges [m]. The outer sizes of the ribs are those of the lattice's lines.
+  // With a box, in whose frame the lattice is, ribs touch its walls, too.
   RibTransfer(const fem::Lattice& unloaded, const fem::DynamicsOptions& options,
-              const std::vector<int>& clamped, bool rigid, double edge_rounding);
+              const std::vector<int>& clamped, bool rigid, double edge_rounding,
+              const std::optional<RibBox>& box = {});
 
   const fem::Lattice& lattice() const { return dynamics_.lattice(); }
   fem::ExplicitDynamics& dynamics() { return dynamics_; }
   const fem::ExplicitDynamics& dynamics() const { return dynamics_; }
   const dem::RibSet& ribs() const { return ribs_; }
   bool rigid() const { return rigid_; }
+  // Contacts with the box; null where ribs do not touch it.
+  const RibWalls* walls() const { return walls_ ? &*walls_ : nullptr; }
+  RibWalls* walls() { return walls_ ? &*walls_ : nullptr; }
 
   // Copies the lattice's motion to the ribs.
   void refresh_ribs();
 
+  // Chooses the contacts with walls for a step `dt` [s].
+  void update_walls(double dt);
+
   // Puts the loads of stones on the lattice, in their order, instead of those before.
   void apply(const std::vector<dem::RodLoads>& loads);
+  // Adds those of walls, over `h` [s].
+  void apply_walls(double h);
 
   // What each contact adds to the bounds of the nodes that it loads: k N (1/m + arm^2/J).
   std::vector<NodeRate> contact_rates(const dem::RibContacts& contacts) const;
+  // The same of contacts with walls, as far as they are known here: of every node that is moved
+  // here, all.
+  void add_wall_rates(std::vector<NodeRate>& rates) const;
   // Of these contacts and of the elements that are moved here. How far ribs are bent is looked at
   // if asked for, which takes as long as a sub-step of the beams.
   SubstepNeeds substep_needs(const std::vector<NodeRate>& rates, bool with_bends = true);
@@ -72,17 +81,24 @@ public:
   template <class Archive> friend void exchange(Archive& archive, RibTransfer& geogrid)
   {
     fem::LatticeState state;
-    if (!Archive::reading) state = geogrid.dynamics_.state();
+    RibWallState walls;
+    if (!Archive::reading) {
+      state = geogrid.dynamics_.state();
+      if (geogrid.walls_) walls = geogrid.walls_->state();
+    }
     exchange(archive, state);
+    archive("walls", walls);
     if (!Archive::reading) return;
     geogrid.dynamics_.set_state(state);
+    if (geogrid.walls_) geogrid.walls_->set_state(walls);
     geogrid.refresh_ribs();
   }
 
 private:
   bool rigid_;
   fem::ExplicitDynamics dynamics_;
-  dem::RibSet ribs_;               // their ends are the slots of the lattice
+  dem::RibSet ribs_; // their ends are the slots of the lattice
+  std::optional<RibWalls> walls_;
   std::vector<int> clamped_;       // slots, of those that are moved here
   std::vector<double> node_rates_; // zero between uses
   std::vector<bool> is_clamped_;   // by node

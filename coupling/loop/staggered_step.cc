@@ -67,6 +67,7 @@ void StaggeredStep::move_with_geogrid(double dt, const dem::Vector3& clamp_veloc
   const Stopwatch watch(is_dealt() ? &geogrid_time_ : nullptr);
   geogrid_->refresh_ribs();
   rib_contacts_.update_list(engine_.clumps(), geogrid_->ribs(), dt);
+  geogrid_->update_walls(dt);
   hold_near_clumps();
   engine_.drift_all(dt, &held_);
 
@@ -92,6 +93,7 @@ int StaggeredStep::required_substeps(double dt)
     const Stopwatch watch(told_time_);
     rates = geogrid_ranks_->all_rates(rates);
   }
+  geogrid_->add_wall_rates(rates);
   // Ribs bend slowly, and what they once asked for stays.
   constexpr int steps_between_looks = 16;
   const bool looks_at_bends = steps_to_look_ == 0;
@@ -150,6 +152,7 @@ void StaggeredStep::substep(double h, const dem::Vector3& clamp_velocity)
   rib_work_on_stones_.add(near_.move(h));
   {
     const Stopwatch watch(lattice_time);
+    geogrid_->apply_walls(h);
     geogrid_->dynamics().set_clamp_velocity(clamp_velocity);
     geogrid_->dynamics().step(h);
     clamp_force_ += geogrid_->clamp_force();
@@ -246,16 +249,19 @@ EnergyLedger StaggeredStep::ledger(double dt) const
   EnergyLedger ledger = ledger_of(engine_.energy(dt));
   if (!geogrid_) return ledger;
 
-  const double elastic = dem::order_free_sum(rib_contacts_.elastic_energies(), over_ranks());
-  const double friction = total(rib_friction_), damping = total(rib_damping_),
-               crushing = total(rib_crushing_);
+  complete_geogrid();
+  const RibWalls* walls = geogrid_->walls();
+  const dem::ContactEnergy at_walls = walls ? walls->energy() : dem::ContactEnergy();
+  const double elastic =
+      dem::order_free_sum(rib_contacts_.elastic_energies(), over_ranks()) + at_walls.elastic;
+  const double friction = total(rib_friction_) + at_walls.friction,
+               damping = total(rib_damping_) + at_walls.damping, crushing = total(rib_crushing_);
   ledger.elastic_contacts += elastic;
   ledger.friction += friction;
   ledger.contact_damping += damping;
   ledger.crushing += crushing;
   ledger.interface_work_on_stones = total(rib_work_on_stones_);
   ledger.interface_stored_and_lost = elastic + friction + damping + crushing + rib_energy_removed_;
-  complete_geogrid();
   const fem::LatticeEnergies lattice = geogrid_->dynamics().energies();
   ledger.kinetic_geogrid = lattice.kinetic;
   ledger.gravitational += lattice.gravitational;

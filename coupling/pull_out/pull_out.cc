@@ -1,7 +1,7 @@
 #include "coupling/pull_out/pull_out.h"
 
-#include "coupling/parameters/geogrid_product.h"
 #include "coupling/pull_out/protocol.h"
+#include "coupling/pull_out/rib_contact.h"
 #include "coupling/stones/filled_box.h"
 #include "coupling/stones/stone_batch.h"
 #include "dem/input_error.h"
@@ -11,23 +11,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 namespace interlock::coupling
 {
 namespace
 {
 using dem::Vector3;
-
-// The softer family of ribs, at small strains: what a drawn polymer has across its ribs is not
-// known.
-dem::Elastic surface_of_ribs(const GeogridParameters& g)
-{
-  const fem::GeogridProduct product = geogrid_product(g);
-  return {
-      std::min(product.ribs_along.shape.youngs_modulus, product.ribs_across.shape.youngs_modulus),
-      product.ribs_along.shape.poisson_ratio};
-}
 
 GeogridSheet laid(const PullOutParameters& p)
 {
@@ -45,26 +34,6 @@ GeogridSheet laid(const PullOutParameters& p)
   return sheet;
 }
 
-dem::ContactProperties elastic_stone_on_geogrid(const PullOutParameters& p)
-{
-  const StoneContactParameters& stone = p.contact;
-  const GeogridContactParameters& rib = p.geogrid_contact;
-  const double friction = pair_friction(rib.stone_friction, stone.stone_friction, rib.friction);
-  if (rib.stiffness > 0)
-    return linear_pair(stone.stone_stiffness, rib.stiffness, friction, stone.tangential_ratio,
-                       rib.damping_ratio);
-  // Stone is some twenty times as stiff as polymer: the rib alone is indented.
-  const dem::Elastic rock{std::numeric_limits<double>::infinity(), 0};
-  return dem::hertz_mindlin_pair(rock, surface_of_ribs(p.geogrid), friction, rib.damping_ratio);
-}
-
-// The limit is that of the stone: nothing is known here of how ribs are bruised.
-dem::ContactProperties stone_on_geogrid(const PullOutParameters& p)
-{
-  dem::ContactProperties pair = elastic_stone_on_geogrid(p);
-  pair.crushing_pressure = p.contact.crushing_pressure;
-  return pair;
-}
 } // namespace
 
 PullOut::PullOut(const PullOutParameters& parameters)
@@ -175,6 +144,7 @@ std::vector<std::string> PullOut::history_columns() const
                                       "rib_contacts [-]",
                                       "largest_overlap [m]",
                                       "substeps [-]",
+                                      "walls_load [N]",
                                       "longitudinal_ribs_load [N]"};
   // Numbered from the clamped one at the front.
   for (std::size_t rib = 0; rib < sheet_.rows.size(); ++rib)
@@ -207,9 +177,11 @@ std::unique_ptr<RibTransfer> PullOut::make_geogrid() const
   fem::DynamicsOptions options;
   options.gravity = {0, 0, -parameters_.gravity};
   options.mass_damping = parameters_.geogrid.mass_damping;
+  std::optional<RibBox> box;
+  if (parameters_.geogrid_contact.ribs_touch_walls) box = box_of_ribs(parameters_);
   return std::make_unique<RibTransfer>(sheet_.lattice, options, sheet_.clamped,
-                                       parameters_.geogrid.rigid,
-                                       parameters_.geogrid.edge_rounding);
+                                       parameters_.geogrid.rigid, parameters_.geogrid.edge_rounding,
+                                       box);
 }
 
 Pouring PullOut::pouring() const

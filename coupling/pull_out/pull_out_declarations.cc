@@ -32,6 +32,9 @@ void declare_contact(ParameterTable& table, PullOutParameters& parameters)
               "Friction coefficient between stones and ribs; -1: the smaller of the two. [-]");
   table.require("Geogrid damping ratio", geogrid.damping_ratio, damping_ratio_range,
                 "The dashpots between a stone and a rib, on their reduced mass. [-]");
+  table.require("Ribs touch walls", geogrid.ribs_touch_walls,
+                "Whether the walls of the box and the edges of its slot hold the ribs, with the "
+                "smaller of the frictions of box and ribs.");
 }
 
 constexpr const char* product = "Geogrid/Product";

@@ -15,12 +15,13 @@
 
 namespace interlock::coupling
 {
-// Contacts of stones with ribs; what a stone has of its own is in StoneContactParameters.
+// Contacts of ribs; what a stone has of its own is in StoneContactParameters.
 struct GeogridContactParameters {
-  double stiffness = 0;       // of a rib's surface; 0: that of its material [N/m]
-  double friction = 0;        // of the ribs [-]
-  double stone_friction = -1; // of the pair, instead of the smaller one; -1: not given [-]
-  double damping_ratio = 0;   // of the dashpots, on the reduced mass [-]
+  double stiffness = 0;         // of a rib's surface; 0: that of its material [N/m]
+  double friction = 0;          // of the ribs [-]
+  double stone_friction = -1;   // of the pair, instead of the smaller one; -1: not given [-]
+  double damping_ratio = 0;     // of the dashpots, on the reduced mass [-]
+  bool ribs_touch_walls = true; // of the box, and the edges of its slot
 };
 
 struct SurchargeParameters {

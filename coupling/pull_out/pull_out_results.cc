@@ -15,8 +15,9 @@ namespace
 {
 using dem::Vector3;
 
-// Ribs do not touch the box: how far a node is in a side wall or the floor, and a rib that leaves
-// the box in the front wall above or below its slot, at most [m]. Not negative.
+// How far a node is in a side wall or the floor, and a rib that leaves the box in the front wall
+// above or below its slot, at most [m]: the overlap of their contacts, or what nobody holds where
+// ribs do not touch walls. Not negative.
 double way_into_walls(const PullOut& experiment)
 {
   const fem::ExplicitDynamics& ribs = experiment.world().geogrid()->dynamics();

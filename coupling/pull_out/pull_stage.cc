@@ -82,6 +82,12 @@ double largest_axial_force(const fem::ExplicitDynamics& dynamics)
   return largest;
 }
 
+// Of the walls of the box and the edges of its slot; positive when it resists the pull [N].
+double load_of_walls(const RibTransfer& geogrid)
+{
+  return geogrid.walls() ? geogrid.walls()->force().x() : 0;
+}
+
 // What resists the pull: of all longitudinal ribs together, of each transverse row.
 void append_loads_on_ribs(std::vector<History::Cell>& row, const PullOut& experiment)
 {
@@ -132,7 +138,8 @@ void record(PullStage& stage, PullOut& experiment, RunRecords& records)
                                     static_cast<double>(world.touching_spheres()),
                                     static_cast<double>(world.touching_ribs()),
                                     world.largest(world.largest_overlap()),
-                                    static_cast<double>(world.ribs.substeps())};
+                                    static_cast<double>(world.ribs.substeps()),
+                                    load_of_walls(*world.geogrid())};
   append_loads_on_ribs(row, experiment);
   append_ledger(row, stage.ledger);
   records.add(row);

@@ -42,6 +42,7 @@ const std::vector<std::string> without_effect_before_geogrid = {"Unusual values"
                                                                 "Limits/",
                                                                 "Geogrid/",
                                                                 "Product/",
+                                                                "Contact/Ribs touch walls",
                                                                 "Surcharge/",
                                                                 "Box/Slot height",
                                                                 "Filling/Drop height",
@@ -67,6 +68,20 @@ bool is_before_pull(const std::vector<PullOut::Stage>& plan, std::size_t next, b
   if (at_begin && std::holds_alternative<PlaceStage>(plan[next])) return false;
   throw InputError(what + " is from the middle of a run; start from its state_before_geogrid.h5 or "
                           "state_before_pull.h5, or go on with --resume.");
+}
+
+// Ribs that nobody held, or that a lower slot would cut, would be thrown off.
+void require_ribs_clear_of_walls(const RibTransfer& geogrid, const std::string& what)
+{
+  constexpr double bound = 1e-4; // more than walls press into ribs [m]
+  if (!geogrid.walls()) return;
+  const double overlap = geogrid.walls()->largest_overlap(geogrid.ribs());
+  if (overlap > bound)
+    throw InputError(fmt::format(
+        "{} has ribs that are {:.2g} mm in a wall of the box and would be thrown off: start from a "
+        "state that was made with Contact/Ribs touch walls = true and this Box/Slot height, or set "
+        "Ribs touch walls = false.",
+        what, 1e3 * overlap));
 }
 } // namespace
 
@@ -108,6 +123,7 @@ void PullOut::start_from(const std::filesystem::path& file, const std::vector<Ca
                               [](const std::string& key) { return is_among(key, {"Surcharge/"}); });
   if (!results.empty()) start.results = nlohmann::ordered_json::parse(results);
   archive("state", *this);
+  if (start.geogrid_is_placed) require_ribs_clear_of_walls(*world_.geogrid(), what);
   start_ = std::move(start);
   world_.step_rule = step_rule(parameters_.time, expected_stable_step());
   preparation_ =

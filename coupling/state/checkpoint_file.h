@@ -10,7 +10,7 @@
 namespace interlock::coupling
 {
 // Raised when a file of this version can no longer be read by an older program, or the other way.
-constexpr int state_format = 6;
+constexpr int state_format = 7;
 
 // The name under which write_checkpoint keeps the file that was there: a/checkpoint.h5 becomes
 // a/checkpoint.previous.h5.

@@ -142,11 +142,7 @@ void ExplicitDynamics::add_nodal_load(int node, const Eigen::Vector3d& force,
                                       const Eigen::Vector3d& moment)
 {
   require_node(node, lattice_.n_nodes());
-  for (int c = 0; c < 3; ++c) {
-    load_force_[c][node_slot_[node]] += force[c];
-    load_torque_[c][node_slot_[node]] += moment[c];
-  }
-  loaded_slots_.push_back(node_slot_[node]);
+  add_slot_load(node_slot_[node], force, moment);
 }
 
 void ExplicitDynamics::clamp(const std::vector<int>& nodes)

@@ -160,12 +160,17 @@ public:
   // The same at one end (0 or 1).
   void add_end_load(int e, int end, const Eigen::Vector3d& force, const Eigen::Vector3d& moment)
   {
-    const int s = element_slot_[e] + end;
+    add_slot_load(element_slot_[e] + end, force, moment);
+  }
+
+  // The same at a slot.
+  void add_slot_load(int slot, const Eigen::Vector3d& force, const Eigen::Vector3d& moment)
+  {
     for (int c = 0; c < 3; ++c) {
-      load_force_[c][s] += force[c];
-      load_torque_[c][s] += moment[c];
+      load_force_[c][slot] += force[c];
+      load_torque_[c][slot] += moment[c];
     }
-    loaded_slots_.push_back(s);
+    loaded_slots_.push_back(slot);
   }
 
   // Adds a force [N] and a moment [N m] at a node.

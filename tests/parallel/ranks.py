@@ -53,6 +53,8 @@ FIXED = [
      ["Geogrid/Placement=flattened", "Filling/Stone friction=0.05", "Filling/Lower bulk density=1100",
       "Filling/Upper bulk density=1100", "Pull/Distance=0.001"]),
     ("pull-out, shared contacts", SMALL, ["Contact/Share among contacts=true", "Pull/Distance=0.002"]),
+    ("pull-out, ribs rub at side walls and edges of a narrow slot", SMALL,
+     ["Contact/Box friction=0.3", "Box/Width=0.1352", "Box/Slot height=0.0027", "Pull/Distance=0.002"]),
     ("pull-out, stones crush", SMALL, ["Contact/Crushing pressure=2e7", "Pull/Distance=0.002"]),
     ("pull-out, triangles that soften and yield, cut off beside the last ones", SMALL, TRIANGLES + [
         "Geogrid/Apertures along=3", "Geogrid/Apertures across=2", "Geogrid/Cut width=0.134", "Pull/Distance=0.002"]),

@@ -66,6 +66,7 @@ TEST_F(ParameterFile, TemplateIsTheTestOfThePaper)
   EXPECT_EQ(p.contact.stone_friction, 0.6);
   EXPECT_EQ(p.contact.box_friction, 0);
   EXPECT_EQ(p.geogrid_contact.friction, 0.7);
+  EXPECT_TRUE(p.geogrid_contact.ribs_touch_walls);
   EXPECT_EQ(p.stones.count, 41); // section 3
   EXPECT_EQ(p.pull.speed, 0.01); // section 4
   // Short of the paper's 50 mm (Figs. 9-12), where the second transverse rib, 55 mm behind the

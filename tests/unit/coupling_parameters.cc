@@ -129,9 +129,9 @@ TEST_F(Entries, FillOneMemberEach)
       {"Geogrid/Elements per rib", &p.geogrid.elements_per_rib},
       {"Output/Records", &p.output.records},
       {"Output/Field frames", &p.output.field_frames}};
-  // Kind, 2 seeds, 3 truth values, folder, placement, mass properties, order, state to start from,
+  // Kind, 2 seeds, 4 truth values, folder, placement, mass properties, order, state to start from,
   // product, lattice file, displacements of frames.
-  const std::size_t others = 14;
+  const std::size_t others = 15;
   EXPECT_EQ(table.entries().size(), numbers.size() + counts.size() + others);
 
   // A different value for each, inside every range; only then are they compared.
@@ -153,6 +153,8 @@ TEST_F(Entries, FillWordsSeedsAndTruthValues)
   EXPECT_TRUE(set("Stones/Sphere order", "gain"));
   EXPECT_TRUE(set("Geogrid/Rigid", "true") && set("Geogrid/Placement", "not flattened"));
   EXPECT_TRUE(set("Output/Report", "false"));
+  EXPECT_TRUE(parameters.geogrid_contact.ribs_touch_walls);
+  EXPECT_TRUE(set("Contact/Ribs touch walls", "false"));
   EXPECT_EQ(parameters.stones.seed, 7u);
   EXPECT_EQ(parameters.filling.seed, 8u);
   EXPECT_EQ(parameters.stones.folder, "some/scans");
@@ -162,6 +164,7 @@ TEST_F(Entries, FillWordsSeedsAndTruthValues)
   EXPECT_TRUE(parameters.geogrid.rigid);
   EXPECT_EQ(parameters.geogrid.placement, "not flattened");
   EXPECT_FALSE(parameters.output.report);
+  EXPECT_FALSE(parameters.geogrid_contact.ribs_touch_walls);
 }
 
 TEST_F(Entries, FillDisplacementsOfFrames)
