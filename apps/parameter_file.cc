@@ -257,6 +257,7 @@ RunInput checked(Input input)
 
   for (const ParameterEntry& entry : table.entries())
     result.entries.push_back({entry.key(), table.get(entry)});
+  result.descriptions = table.entries();
   std::ostringstream used;
   coupling::write_parameters(used, table);
   result.used = used.str();
