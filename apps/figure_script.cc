@@ -1,7 +1,6 @@
 #include "apps/figure_script.h"
 
 #include "apps/interruption.h"
-#include "apps/program_file.h"
 
 #include <boost/algorithm/string.hpp>
 
@@ -108,7 +107,8 @@ std::string sentence(std::string text)
 
 std::vector<fs::path> script_folders()
 {
-  const fs::path program = program_file().parent_path();
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
   std::vector<fs::path> folders;
   if (!program.empty())
     folders = {program.parent_path() / "share" / "interlock", program,

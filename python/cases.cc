@@ -5,7 +5,6 @@
 #include "apps/nearest_name.h"
 #include "apps/output_folder.h"
 #include "apps/parameter_file.h"
-#include "apps/program_file.h"
 #include "python/python_run.h"
 
 #include <pybind11/stl.h>
@@ -89,7 +88,6 @@ void add_cases(py::module_& module)
   module.def("default_folder",
              [](const std::string& file) { return apps::default_output_folder(file).string(); });
   module.def("nearest_name", &apps::nearest_name);
-  module.def("name_program_file", [](const std::string& file) { apps::name_program_file(file); });
   module.def("stop_mpi", &apps::stop_mpi);
 }
 } // namespace interlock::python

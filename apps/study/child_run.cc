@@ -1,7 +1,6 @@
 #include "apps/study/child_run.h"
 
 #include "apps/output_folder.h"
-#include "apps/program_file.h"
 #include "apps/run_folder.h"
 #include "dem/input_error.h"
 
@@ -58,7 +57,7 @@ std::vector<char*> pointers(Words& words)
 
 Words command_for(const TaskFolder& task, int ranks)
 {
-  const fs::path program = program_file();
+  const fs::path program = fs::read_symlink("/proc/self/exe");
   Words words;
   if (ranks > 1)
     words = {"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};

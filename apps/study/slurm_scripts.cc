@@ -1,7 +1,6 @@
 #include "apps/study/slurm_scripts.h"
 
 #include "apps/output_folder.h"
-#include "apps/program_file.h"
 #include "apps/shell_word.h"
 #include "coupling/files/atomic_file.h"
 
@@ -41,7 +40,7 @@ std::string head(const Plan& plan, const std::string& name, const std::string& o
 // The program and the study, as words of the shell.
 std::string command(const Plan& plan)
 {
-  return "exec " + shell_word(program_file().string()) + " study " +
+  return "exec " + shell_word(fs::read_symlink("/proc/self/exe").string()) + " study " +
          shell_word(fs::absolute(plan.study.file).string()) + " -o " +
          shell_word(plan.folder.string());
 }

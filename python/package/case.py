@@ -6,12 +6,10 @@ import sys
 from collections.abc import Mapping
 
 from . import _native
-from .program import likely_program
 from .results import Results
 
 __all__ = ["Case"]
 
-_native.name_program_file(likely_program())  # the scripts that draw figures lie beside it
 atexit.register(_native.stop_mpi)
 
 

@@ -10,17 +10,12 @@ PACKAGE = os.path.dirname(os.path.abspath(__file__))
 BESIDE = [os.path.normpath(os.path.join(PACKAGE, *[".."] * up, "bin", "interlock")) for up in (2, 4)]
 
 
-def likely_program():
-    """The program's path; where it would be installed when it is not there."""
+def program():
+    """The path of the program. Raises InputError when there is none."""
     for path in BESIDE:
         if os.access(path, os.X_OK):
             return path
-    return shutil.which("interlock") or BESIDE[-1]
-
-
-def program():
-    """The path of the program. Raises InputError when there is none."""
-    path = likely_program()
-    if not os.access(path, os.X_OK):
+    path = shutil.which("interlock")
+    if path is None:
         raise InputError(f"The program interlock is neither beside the package ({', '.join(BESIDE)}) nor on the PATH.")
     return path
