@@ -106,12 +106,14 @@ class Case(Mapping):
 
 
 def _text(value):
-    if isinstance(value, bool) or type(value).__name__ == "bool_":  # NumPy's
+    if hasattr(value, "tolist"):  # NumPy's
+        value = value.tolist()
+    if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (list, tuple)):
         return ", ".join(_text(item) for item in value)
     if isinstance(value, float):
-        return repr(float(value))
+        return repr(value)
     return str(os.fspath(value) if isinstance(value, os.PathLike) else value)
 
 
