@@ -166,7 +166,6 @@ void close(const RunInput& input, const coupling::Summary& summary, const fs::pa
         folder.string() + " is for finding out why.");
   if (!summary.not_usable.empty()) throw std::runtime_error(summary.not_usable);
 }
-
 } // namespace
 
 coupling::Summary run_case(const RunInput& input, const CaseRun& run)

@@ -11,9 +11,9 @@
 namespace interlock::apps
 {
 struct RunInput {
-  const Experiment* experiment = nullptr;   // of the table of experiments
-  ExperimentParameters parameters;          // those of this experiment
-  std::vector<coupling::CaseEntry> entries; // all values as text, paths absolute
+  const Experiment* experiment = nullptr;             // of the table of experiments
+  ExperimentParameters parameters;                    // those of this experiment
+  std::vector<coupling::CaseEntry> entries;           // all values as text, paths absolute
   std::vector<coupling::ParameterEntry> descriptions; // of these entries
   std::string used; // a complete parameter file of all values, defaults included, paths absolute
 };
