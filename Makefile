@@ -42,6 +42,8 @@ build: install
 	@echo 'Building in $(RELEASE) with $(JOBS) jobs.'
 	@cmake --preset release --log-level=WARNING >/dev/null
 	@cmake --build --preset release --parallel $(JOBS)
+	@echo 'The program: $(RELEASE)/bin/interlock. For "import interlock" in /usr/bin/python3:'
+	@echo '  export PYTHONPATH=$(CURDIR)/$(RELEASE)/python'
 
 pullout: build
 	@echo 'Running the quick coupled pull-out test cases/pullout/quick.prm.'

@@ -51,7 +51,7 @@ void check(CheckArguments arguments)
   start_mpi();
   catch_interruption();
   coupling::RunRequest request;
-  request.entries = input.entries;
+  request.entries = input.kept;
   request.monitor.progress = [](const coupling::Progress&) { throw_if_interrupted(); };
   request.monitor.message = [](const std::string& sentence) { std::cout << sentence << '\n'; };
   print(input.experiment->forecast(input.parameters, request));

@@ -1,15 +1,13 @@
 #include "apps/clump_command.h"
 
+#include "apps/clump_making.h"
 #include "apps/clump_options.h"
 #include "apps/clump_orders.h"
-#include "apps/clump_table.h"
 #include "apps/clump_warnings.h"
 #include "apps/clump_writing.h"
 #include "apps/interruption.h"
 #include "apps/octahedron_command.h"
 #include "dem/input_error.h"
-#include "dem/meshes/mass_properties.h"
-#include "dem/scans/cloud_cells.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -21,48 +19,10 @@ namespace
 {
 namespace fs = std::filesystem;
 
-void make_clump_of_mesh(const ClumpOptions& options, ClumpResult& result)
-{
-  const dem::TriangleMesh stone =
-      dem::read_stone_mesh(result.file, file_options(options), &result.mesh);
-  result.nodes = stone.vertices.size();
-  result.facets = stone.triangles.size();
-  result.size = dem::stone_size(stone);
-  result.volume = dem::mass_properties(stone).volume;
-  result.shape = dem::make_clump(stone, result.parameters, &result.report);
-}
-
-void make_clump_of_cloud(const ClumpOptions& options, ClumpResult& result)
-{
-  const dem::PointCloud stone =
-      dem::read_point_cloud(result.file, file_options(options), &result.cloud);
-  const dem::CloudProperties properties = dem::cloud_properties(stone);
-  result.parameters.touching_radius = dem::TouchingRadius::nodes; // there are no facets
-  result.nodes = stone.points.size();
-  result.size = dem::stone_size(stone.points, properties.body, properties.area);
-  result.volume = properties.body.volume;
-  result.shape = dem::make_clump(stone, properties.body, result.parameters, &result.report);
-}
-
 ClumpResult make_clump(const StoneFiles& files, const ClumpOptions& options,
                        const dem::ClumpParameters& parameters)
 {
-  ClumpResult result;
-  result.file = files.stone;
-  result.name = files.name;
-  result.density = options.density.value_or(0);
-  result.parameters = parameters;
-  std::error_code error;
-  if (fs::is_regular_file(files.stone, error) && !is_named_as_stone(files.stone))
-    throw InputError("The stone '" + files.stone +
-                     "' is named neither as a mesh (.stl, .ply, .obj) nor as a cloud of points "
-                     "(.xyz, .ply).");
-  if (dem::is_point_cloud(files.stone))
-    make_clump_of_cloud(options, result);
-  else
-    make_clump_of_mesh(options, result);
-  result.shape.name = result.name;
-  return result;
+  return clump_of_file(files.stone, files.name, options, parameters);
 }
 
 // Of the stones from which a clump was made. Empty where no comparison was asked for.

@@ -76,11 +76,12 @@ std::string listen(const int descriptor, const pid_t script)
 }
 
 // Starts the interpreter with the writing end of `pipe` as its error output; what posix_spawn says.
-int start(std::vector<std::string> arguments, const int (&pipe)[2], pid_t& child)
+int start(std::vector<std::string> arguments, const int (&pipe)[2], bool quiet, pid_t& child)
 {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (quiet) posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, pipe[1], STDERR_FILENO);
   std::vector<std::string> variables = own_environment();
   const int error = posix_spawn(&child, python, &actions, nullptr, pointers(arguments).data(),
@@ -116,7 +117,8 @@ std::vector<fs::path> script_folders()
   return folders;
 }
 
-ScriptResult run_figure_script(const std::string& script, const std::vector<std::string>& arguments)
+ScriptResult run_figure_script(const std::string& script, const std::vector<std::string>& arguments,
+                               const bool quiet)
 {
   const fs::path file = find_script(script);
   if (file.empty()) return not_found(script);
@@ -126,7 +128,7 @@ ScriptResult run_figure_script(const std::string& script, const std::vector<std:
   if (pipe2(pipe, O_CLOEXEC) != 0) return {127, sentence(std::strerror(errno))};
   std::cout.flush();
   pid_t child = 0;
-  const int error = start(command, pipe, child);
+  const int error = start(command, pipe, quiet, child);
   close(pipe[1]);
   const std::string said = error == 0 ? listen(pipe[0], child) : "";
   close(pipe[0]);

@@ -23,8 +23,8 @@ std::vector<std::filesystem::path> script_folders();
 // character. The interpreter is the system's, for which Debian packages Matplotlib and h5py,
 // isolated (python3 -I) and without the variables that the user's modules, virtual environments and
 // shells export: another Python's packages, another HDF5 library, settings of Matplotlib. What the
-// script prints goes to the standard output; the reason is the last line of what it says on its
-// error output. An interrupt (interruption.h) ends the script.
-ScriptResult run_figure_script(const std::string& script,
-                               const std::vector<std::string>& arguments);
+// script prints goes to the standard output, unless it is to be quiet; the reason is the last line
+// of what it says on its error output. An interrupt (interruption.h) ends the script.
+ScriptResult run_figure_script(const std::string& script, const std::vector<std::string>& arguments,
+                               bool quiet = false);
 } // namespace interlock::apps

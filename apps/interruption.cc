@@ -7,6 +7,7 @@ namespace interlock::apps
 namespace
 {
 volatile std::sig_atomic_t interrupted = 0;
+std::function<bool()> source; // of InterruptionSource
 
 extern "C" void mark_interruption(const int signal)
 {
@@ -22,9 +23,19 @@ void catch_interruption()
   std::signal(SIGTERM, mark_interruption);
 }
 
+InterruptionSource::InterruptionSource(std::function<bool()> asked)
+{
+  source = std::move(asked);
+}
+
+InterruptionSource::~InterruptionSource()
+{
+  source = nullptr;
+}
+
 bool is_interrupted()
 {
-  return interrupted != 0;
+  return interrupted != 0 || (source && source());
 }
 
 void throw_if_interrupted()

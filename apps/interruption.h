@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <string>
 
 namespace interlock::apps
@@ -19,6 +20,17 @@ private:
 
 // From now on SIGINT and SIGTERM only leave a mark; a second one ends the program at once.
 void catch_interruption();
+
+// While it lives, is_interrupted() also asks `asked`, on the thread that wants to know: for a host
+// with signals of its own, such as Python. One at a time.
+class InterruptionSource
+{
+public:
+  explicit InterruptionSource(std::function<bool()> asked);
+  ~InterruptionSource();
+  InterruptionSource(const InterruptionSource&) = delete;
+  InterruptionSource& operator=(const InterruptionSource&) = delete;
+};
 
 // Whether the mark is there; throws Interrupted once it is.
 bool is_interrupted();

@@ -50,6 +50,12 @@ bool started_by_launcher()
 void start_mpi()
 {
   if (session) return;
+  int runs = 0;
+  MPI_Initialized(&runs);
+  if (runs)
+    throw InputError(
+        "Another module of this process has started MPI already, which interlock has to "
+        "do itself: start it later, or (mpi4py) set mpi4py.rc.initialize = False.");
   if (!started_by_launcher()) prepare_lone_process();
   // Ghosts of two ranks on one machine are some 10 kB. From 4 kB on, Open MPI would first ask the
   // receiver, who is busy, and nothing would travel meanwhile (docs/theory/parallel.md).

@@ -10,8 +10,8 @@ bool started_by_launcher();
 
 // Initialises MPI and PETSc on the first call; later calls do nothing. A process that no launcher
 // started needs neither a daemon nor ssh, a folder for the session or Slurm's permission. Throws
-// InputError when Slurm started several that know nothing of each other, on all but the first with
-// an empty sentence: one of them speaks.
+// InputError when somebody else has initialised MPI, and when Slurm started several that know
+// nothing of each other, on all but the first with an empty sentence: one of them speaks.
 void start_mpi();
 bool mpi_runs(); // between start_mpi and stop_mpi
 

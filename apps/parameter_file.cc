@@ -275,8 +275,11 @@ RunInput checked(Input input)
   // The section Product has it all now, wherever its file goes.
   if (!result.experiment->product_entry.empty())
     table.set(*find_entry(table, result.experiment->product_entry), "");
-  for (const ParameterEntry& entry : table.entries())
-    result.entries.push_back({entry.key(), value_in_state(table, entry)});
+  for (const ParameterEntry& entry : table.entries()) {
+    result.entries.push_back({entry.key(), table.get(entry)});
+    result.kept.push_back({entry.key(), value_in_state(table, entry)});
+  }
+  result.descriptions = table.entries();
   std::ostringstream used;
   coupling::write_parameters(used, table);
   result.used = used.str();

@@ -11,10 +11,12 @@
 namespace interlock::apps
 {
 struct RunInput {
-  const Experiment* experiment = nullptr;   // of the table of experiments
-  ExperimentParameters parameters;          // those of this experiment
-  std::vector<coupling::CaseEntry> entries; // all values as text, paths absolute;
-                                            // input files: name and hash
+  const Experiment* experiment = nullptr;             // of the table of experiments
+  ExperimentParameters parameters;                    // those of this experiment
+  std::vector<coupling::CaseEntry> entries;           // all values as text, paths absolute
+  std::vector<coupling::ParameterEntry> descriptions; // of these entries
+  // The same as states keep them: of an input file its name and a hash of its content.
+  std::vector<coupling::CaseEntry> kept;
   std::string used; // a complete parameter file of all values, defaults included, paths absolute
 };
 

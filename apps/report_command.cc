@@ -39,7 +39,7 @@ std::string script_for(const fs::path& folder)
 }
 
 // report.html, with the surfaces of the stones where they can be made.
-ScriptResult write_page(const fs::path& folder)
+ScriptResult write_page(const fs::path& folder, bool quiet)
 {
   std::error_code error;
   const fs::path surfaces = fs::temp_directory_path(error) /
@@ -52,7 +52,7 @@ ScriptResult write_page(const fs::path& folder)
     arguments.insert(arguments.end(), {"--surfaces", surfaces.string()});
   else if (!is_study)
     arguments.insert(arguments.end(), {"--no-surfaces", reason});
-  const ScriptResult result = run_figure_script("report.py", arguments);
+  const ScriptResult result = run_figure_script("report.py", arguments, quiet);
   fs::remove(surfaces, error);
   return result;
 }
@@ -63,21 +63,21 @@ struct Drawn {
 
 // Figures that broke keep no page from being written; a folder with nothing to draw and an
 // interrupt do.
-Drawn draw(const fs::path& folder)
+Drawn draw(const fs::path& folder, bool quiet)
 {
   Drawn drawn;
-  drawn.figures = run_figure_script(script_for(folder), {folder.string()});
+  drawn.figures = run_figure_script(script_for(folder), {folder.string()}, quiet);
   if (drawn.figures.status == 2 || is_interrupted())
     drawn.page = drawn.figures;
   else
-    drawn.page = write_page(folder);
+    drawn.page = write_page(folder, quiet);
   return drawn;
 }
 } // namespace
 
-int draw_figures(const fs::path& folder)
+int draw_figures(const fs::path& folder, const bool quiet)
 {
-  const Drawn drawn = draw(folder);
+  const Drawn drawn = draw(folder, quiet);
   if (drawn.figures.status != 0)
     std::cerr << "interlock: the figures could not be drawn: " << drawn.figures.reason << '\n';
   else if (drawn.page.status != 0)
@@ -99,7 +99,7 @@ void add_report_command(CLI::App& program)
     if (!fs::is_directory(*folder))
       throw InputError("The folder \"" + *folder + "\" does not exist.");
     require_one_run(*folder);
-    const Drawn drawn = draw(*folder);
+    const Drawn drawn = draw(*folder, false);
     if (drawn.figures.status == 2) throw InputError(drawn.figures.reason);
     if (drawn.figures.status != 0)
       throw std::runtime_error("the figures could not be drawn: " + drawn.figures.reason);

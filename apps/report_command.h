@@ -12,6 +12,7 @@ void add_report_command(CLI::App& program);
 
 // Draws FOLDER/figures/*.png with the script of its experiment (figure_script.h), writes
 // FOLDER/report.html with report.py, and returns ScriptResult::status of the first one that failed;
-// where that is not 0, says the reason on the standard error.
-int draw_figures(const std::filesystem::path& folder);
+// where that is not 0, says the reason on the standard error. What the scripts print is not shown
+// if it is to be quiet.
+int draw_figures(const std::filesystem::path& folder, bool quiet = false);
 } // namespace interlock::apps

@@ -6,6 +6,8 @@ import os
 
 import numpy as np
 
+TEXTS = {"run", "state_hash", "version", "commit"}  # columns whose entries may look like numbers
+
 
 class InputError(Exception):
     """The folder that the user named cannot be drawn; the text is one full sentence."""
@@ -16,14 +18,23 @@ def read_history(run):
     path = os.path.join(run, "history.csv")
     if not os.path.isfile(path):
         raise InputError(f"{run}: there is no history.csv, so this is not the output folder of a run.")
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = [row for row in csv.reader(file) if row]
+    return {name.split("[")[0].strip(): values for name, values in read_table(path).items()}
+
+
+def read_table(path):
+    """Columns of a table as name -> array, names as in its first line; text columns stay text."""
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = [row for row in csv.reader(file) if row]
+    except OSError as error:
+        raise InputError(f"{path}: the table cannot be read: {error.strerror}.") from error
     if len(rows) < 2:
         raise InputError(f"{path}: the file has no record yet.")
-    names = [name.split("[")[0].strip() for name in rows[0]]
+    names = rows[0]
     # The last line of a running case may be half written.
     rows = [row for row in rows[1:] if len(row) == len(names)]
-    return {name: as_numbers([row[i] for row in rows]) for i, name in enumerate(names)}
+    columns = {name: [row[i] for row in rows] for i, name in enumerate(names)}
+    return {name: np.array(texts) if name in TEXTS else as_numbers(texts) for name, texts in columns.items()}
 
 
 def as_numbers(texts):

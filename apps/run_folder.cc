@@ -85,9 +85,10 @@ RunFolder::RunFolder(fs::path folder, FolderUse use) : folder_(std::move(folder)
   if (use_ == FolderUse::fresh) refuse_results(folder_);
 }
 
-RunFolder::~RunFolder()
+void RunFolder::Descriptor::close()
 {
-  if (lock_ >= 0) close(lock_); // which unlocks it
+  if (number >= 0) ::close(number); // which unlocks it
+  number = -1;
 }
 
 void RunFolder::take()
@@ -101,13 +102,12 @@ void RunFolder::take()
 // locks leave the folder without an owner.
 void RunFolder::lock(bool make)
 {
-  if (lock_ >= 0) return;
+  if (lock_.number >= 0) return;
   const std::string log = (folder_ / "run.log").string();
-  lock_ = open(log.c_str(), O_RDWR | O_CLOEXEC | (make ? O_CREAT : 0), 0666);
-  if (lock_ < 0) return; // not there yet; who cannot write it is told so by who has to
-  if (flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  close(lock_);
-  lock_ = -1;
+  lock_.number = open(log.c_str(), O_RDWR | O_CLOEXEC | (make ? O_CREAT : 0), 0666);
+  if (lock_.number < 0) return; // not there yet; who cannot write it is told so by who has to
+  if (flock(lock_.number, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  lock_.close();
   throw InputError("The output folder \"" + folder_.string() +
                    "\" is in use: another run is writing there; choose another one with --output.");
 }

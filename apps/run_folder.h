@@ -21,7 +21,6 @@ public:
   // Throws InputError, one sentence, when the folder has no name or is a file, when another run is
   // writing there, or when a fresh run would find a finished or a stopped one. Changes nothing.
   RunFolder(std::filesystem::path folder, FolderUse use);
-  ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
@@ -37,6 +36,11 @@ private:
 
   std::filesystem::path folder_;
   FolderUse use_;
-  int lock_ = -1; // descriptor of run.log, locked
+  // Of run.log, locked as long as it is open: also where a constructor above has thrown.
+  struct Descriptor {
+    int number = -1;
+    void close();
+    ~Descriptor() { close(); }
+  } lock_;
 };
 } // namespace interlock::apps

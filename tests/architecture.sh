@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks the module graph apps -> coupling -> {dem, fem}, the order of the folders inside the modules
+# Checks the module graph python -> apps -> coupling -> {dem, fem}, the order of the folders inside the modules
 # (the floor plan below), and that only apps/ prints and exits, by reading the include lines and
 # calls of the sources. Fails as soon as one file breaks one rule, and names file, line and rule.
 #   architecture.sh SOURCE_FOLDER     check a tree
@@ -97,10 +97,13 @@ exiting='std::(exit|quick_exit|_Exit|abort|terminate) *\(|(^|[^A-Za-z0-9_:.>])(e
 check_tree()
 {
   offences=0
-  forbid "$1" dem "$(include_of 'deal\.II/|petsc|slepc|fem/|coupling/|apps/')" \
+  forbid "$1" dem "$(include_of 'deal\.II/|petsc|slepc|fem/|coupling/|apps/|python/')" \
     "dem sees neither deal.II, PETSc nor any other module"
-  forbid "$1" fem "$(include_of 'dem/|coupling/|apps/')" "fem sees no other module"
-  forbid "$1" coupling "$(include_of 'apps/')" "coupling does not see apps"
+  forbid "$1" fem "$(include_of 'dem/|coupling/|apps/|python/')" "fem sees no other module"
+  forbid "$1" coupling "$(include_of 'apps/|python/')" "coupling does not see apps"
+  forbid "$1" apps "$(include_of 'python/|pybind11|Python\.h')" "apps does not see python"
+  forbid "$1" python "$printing" "python prints through the text streams of Python"
+  forbid "$1" python "$exiting" "only apps/ ends the program"
   check_floors "$1" dem "$floors_of_dem"
   check_floors "$1" fem "$floors_of_fem"
   check_floors "$1" coupling "$floors_of_coupling"
@@ -148,6 +151,9 @@ dem/a.cc|#include "apps/report.h"
 fem/ribs/a.cc|#include "dem/bodies/clumps.h"
 fem/ribs/a.h|#include "coupling/loop/loop.h"
 coupling/loop/a.cc|#include "apps/report.h"
+apps/a.cc|#include "python/moment.h"
+apps/a.h|#include <pybind11/numpy.h>
+python/a.cc|  std::cout << force;
 coupling/loop/a.cc|  std::cout << force;
 fem/ribs/a.cc|  std::cerr << force;
 dem/a.cc|  printf("%g", force);

@@ -7,6 +7,8 @@
 
 namespace interlock::coupling
 {
+class World;
+
 struct Progress {
   std::string stage;          // "pull"
   double fraction = 0;        // of the stage that is done, 0 to 1; negative where nobody can tell
@@ -14,6 +16,9 @@ struct Progress {
   std::int64_t steps = 0;     // since the start of the run
   int number = 0, stages = 0; // the stage is the `number`-th, from 1, of so many; 0: not known
   double later_stages = 0;    // expected time of those to come over that of this one; 0: not known
+  // What moves, between two steps and during the call only; null where nothing does: while a run is
+  // prepared, and in experiments without steps.
+  const World* world = nullptr;
 };
 
 // All may be empty. They are called from one thread: `progress` every hundred steps or so (the

@@ -158,7 +158,7 @@ private:
       speak_of_needless_ranks();
     }
     if (step % steps_between_progress == 0)
-      records_.progress(status.fraction, world().clock, stage_ + 1, plan_.size());
+      records_.progress(status.fraction, world(), stage_ + 1, plan_.size());
     if (wishes.keep) checkpoints_.write(state());
   }
 

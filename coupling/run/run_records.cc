@@ -80,12 +80,13 @@ void RunRecords::message(const std::string& sentence) const
   if (monitor_.message) monitor_.message(sentence);
 }
 
-void RunRecords::progress(double fraction, const StepClock& clock, std::size_t number,
+void RunRecords::progress(double fraction, const World& world, std::size_t number,
                           std::size_t stages) const
 {
   if (monitor_.progress)
-    monitor_.progress({stage_name(), fraction, clock.time(), clock.step, static_cast<int>(number),
-                       static_cast<int>(stages), later_stages(number)});
+    monitor_.progress({stage_name(), fraction, world.clock.time(), world.clock.step,
+                       static_cast<int>(number), static_cast<int>(stages), later_stages(number),
+                       &world});
 }
 
 double RunRecords::later_stages(std::size_t number) const

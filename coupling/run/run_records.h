@@ -46,8 +46,7 @@ public:
   // The run goes on from its last checkpoint then.
   void throw_if_stop_requested() const;
   // The present stage is the `number`-th, from 1, of `stages`.
-  void progress(double fraction, const StepClock& clock, std::size_t number,
-                std::size_t stages) const;
+  void progress(double fraction, const World& world, std::size_t number, std::size_t stages) const;
 
   // A row of history.csv, flushed at once.
   void add(const std::vector<History::Cell>& row)

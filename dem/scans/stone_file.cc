@@ -110,6 +110,38 @@ TriangleMesh read_stone_mesh(const std::string& path, const StoneFileOptions& op
   return std::move(mesh);
 }
 
+TriangleMesh closed_stone_mesh(TriangleMesh mesh, const StoneFileOptions& options,
+                               MeshDiagnosis* diagnosis)
+{
+  const int nodes = static_cast<int>(mesh.vertices.size());
+  for (const auto& triangle : mesh.triangles)
+    for (const int node : triangle)
+      if (node < 0 || node >= nodes)
+        throw InputError("The stone has a triangle with vertex " + std::to_string(node) +
+                         ", but its vertices have the numbers 0 to " + std::to_string(nodes - 1) +
+                         ".");
+  for (const Vector3& x : mesh.vertices)
+    if (!x.allFinite()) throw InputError("The stone has a vertex that is not a finite place.");
+  MeshDiagnosis found;
+  mend(mesh, found);
+  if (mesh.triangles.empty()) throw InputError("The stone has no triangle with an area.");
+  to_metres(mesh, options, found);
+  const double extent = extents(mesh).maxCoeff();
+  if (extent < smallest_stone || extent > largest_stone) {
+    std::ostringstream text;
+    text << "The stone is " << extent << " m long with a unit of " << options.length_unit
+         << " m, but stones measure " << smallest_stone << " m to " << largest_stone
+         << " m: check the length unit.";
+    throw InputError(text.str());
+  }
+  find_surface(mesh, found);
+  if (diagnosis) *diagnosis = found;
+  if (options.accept_crossings) found.crossings = {};
+  const std::string fault = fault_of(found);
+  if (!fault.empty()) throw InputError("The stone " + with_notes(fault, found.notes));
+  return mesh;
+}
+
 TriangleMesh read_stone_mesh(const std::string& path, double length_unit)
 {
   StoneFileOptions options;

@@ -28,6 +28,11 @@ struct StoneFileOptions {
 TriangleMesh read_stone_mesh(const std::string& path, const StoneFileOptions& options,
                              MeshDiagnosis* diagnosis = nullptr);
 
+// The same of a surface in memory, whose triangles are indices into its vertices; the sentences
+// begin with "The stone".
+TriangleMesh closed_stone_mesh(TriangleMesh mesh, const StoneFileOptions& options,
+                               MeshDiagnosis* diagnosis = nullptr);
+
 // The length of a unit by its name: m, cm, mm or inch [m]. Throws InputError for any other.
 double length_of_unit(const std::string& name);
 

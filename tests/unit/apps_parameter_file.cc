@@ -182,7 +182,7 @@ TEST_F(ParameterFile, KeepsTheContentOfInputFilesInMind)
     const auto input =
         apps::read_parameter_file(write("lab.prm", apps::laboratory_template()),
                                   {"Laboratory/Lattice file=" + (folder / name).string()});
-    for (const coupling::CaseEntry& entry : input.entries)
+    for (const coupling::CaseEntry& entry : input.kept)
       if (entry.key == "Laboratory/Lattice file") return entry.value;
     return std::string();
   };
