@@ -18,7 +18,10 @@ target_compile_options(interlock_build_options INTERFACE
   -fno-math-errno -fno-trapping-math
   # `#pragma omp simd` on the hot loops; no threads.
   -fopenmp-simd
-  $<$<CONFIG:Release>:-O3> $<$<CONFIG:Debug>:-O1> -g1)
+  $<$<CONFIG:Release>:-O3> $<$<CONFIG:Debug>:-O1> -g1
+  # Names of source files in messages and debug information are relative ones: an installed program tells nobody where
+  # it was built, and ccache hands out nothing of another checkout.
+  $<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.>)
 
 # Loops over contacts with ribs read the state of a clump for each lane. Single loads beat gather instructions,
 # and full registers beat halves (docs/performance.md).
@@ -35,12 +38,9 @@ if(INTERLOCK_NATIVE)
   target_compile_options(interlock_build_options INTERFACE -march=native ${vector_options})
   target_compile_options(interlock_options INTERFACE $<INSTALL_INTERFACE:-march=native>)
 else()
-  # The names of source files in messages: relative ones.
-  target_compile_options(interlock_build_options INTERFACE
-    -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.
-    # Digits that do not depend on the processor: no fused products and sums, and nothing that Eigen adds in an
-    # order of its own (cmake/vector_levels.cmake).
-    -ffp-contract=off)
+  # Digits that do not depend on the processor: no fused products and sums, and nothing that Eigen adds in an order of
+  # its own (cmake/vector_levels.cmake).
+  target_compile_options(interlock_build_options INTERFACE -ffp-contract=off)
   target_compile_definitions(interlock_options INTERFACE EIGEN_DONT_VECTORIZE)
 endif()
 

@@ -22,6 +22,12 @@ for path in "$sources" "$build" "$folder"; do
   fi
 done
 
+# Nor of another checkout, from which ccache has taken what it had.
+if grep -raohE -- '/[A-Za-z0-9_./-]*/(dem|fem|coupling|apps)/[a-z_/]+\.(h|cc)\b' "$prefix/bin" "$prefix/lib" |
+  sort -u >"$folder/found" && [ -s "$folder/found" ]; then
+  fail "Names of source files: $(head -3 "$folder/found" | tr '\n' ' ')"
+fi
+
 # --- The program, from another folder ---
 mkdir "$folder/work"
 cd "$folder/work"
@@ -33,7 +39,7 @@ cd "$folder/work"
 grep -q 'cff-version' sheet/report.html || fail "The page does not say how to cite."
 # A plain name is a product of the library that came with the program.
 "$prefix/bin/interlock" check "$prefix/share/interlock/cases/pullout/quick.prm" \
-  --set Geogrid/Product=ss40.prm >out 2>err || fail "The library of geogrids is not found: $(cat err)"
+  --set Geogrid/Product=assumed_5x2.5.prm >out 2>err || fail "The library of geogrids is not found: $(cat err)"
 
 # --- Manual and completion ---
 man --warnings -l "$prefix/share/man/man1/interlock.1" >manual 2>complaints || true
