@@ -14,7 +14,7 @@ namespace interlock::apps
 {
 namespace
 {
-constexpr std::size_t most_results = 14; // lines
+constexpr std::size_t most_results = 12; // lines
 
 // What is asked first of an experiment; what a run has not got is left out.
 const std::map<std::string, std::vector<std::string>>& headlines()

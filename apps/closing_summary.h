@@ -9,9 +9,10 @@
 
 namespace interlock::apps
 {
-// At most 20 lines: what was done; the most important results of the experiment first, then others
-// as far as there is room, with four digits and their units (result_text.h); the error of the
-// energy ledger; the number of warnings; where all numbers are with all their digits.
+// At most 18 lines, so that those of the figures fit on the screen, too: what was done; the most
+// important results of the experiment first, then others as far as there is room, with four digits
+// and their units (result_text.h); the error of the energy ledger; the number of warnings; where
+// all numbers are with all their digits.
 std::string closing_summary(const coupling::Summary& summary, const std::filesystem::path& folder);
 
 // One line on what to do next: the page to open where there is one, else the command that tries to

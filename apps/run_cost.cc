@@ -18,6 +18,6 @@ std::string cost_text(const coupling::Forecast& forecast, const int ranks)
           " of files";
   if (forecast.frames > 0)
     text += fmt::format(" ({} frames of {:.2g} MB)", forecast.frames, 1e-6 * forecast.frame_size());
-  return text + "; estimates, good to a factor of two.";
+  return text + "; estimates, good to a factor of two for hundreds of stones.";
 }
 } // namespace interlock::apps

@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 packages="$(cd "${1:-build/package}" && pwd)"
 root="$(mktemp -d)"
-unmount() { for place in proc dev; do umount "$root/$place" 2>/dev/null || true; done; }
+unmount() { for place in proc sys dev; do umount --recursive "$root/$place" 2>/dev/null || true; done; }
 trap 'unmount; rm -rf --one-file-system "$root"' EXIT
 
 echo "A bare Debian 12 in $root."
@@ -15,6 +15,7 @@ mmdebstrap --quiet --variant=apt bookworm "$root"
 mkdir "$root/packages"
 cp "$packages"/*.deb "$root/packages"
 mount -t proc proc "$root/proc"
+mount --rbind /sys "$root/sys" && mount --make-rslave "$root/sys"
 mount --rbind /dev "$root/dev" && mount --make-rslave "$root/dev"
 inside() { chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 
