@@ -3,8 +3,8 @@
 #   lib/libNAME.so                            any x86-64 (SSE2)
 #   lib/glibc-hwcaps/x86-64-v3/libNAME.so     AVX2
 #   lib/glibc-hwcaps/x86-64-v4/libNAME.so     AVX-512
-# `ld.so --help` says which of them this machine takes. All give the same digits: products and sums are not fused, and
-# no sum has an order that depends on the width of a register.
+# `ld.so --help` says which of them this machine takes. The state of a run does not depend on it: products and sums are
+# not fused, and no sum that a step takes has an order that depends on the width of a register (docs/performance.md).
 #
 #   interlock_library(TARGET STEPPING sources... OTHERS sources...)
 # adds the library TARGET, static, or with INTERLOCK_VECTOR_LEVELS as above. The second list is what no step runs: it is
