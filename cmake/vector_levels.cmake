@@ -28,7 +28,9 @@ function(interlock_library target)
     set_target_properties(${library} PROPERTIES OUTPUT_NAME interlock_${target}
       LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${place}
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-    if(NOT level STREQUAL x86-64)
+    if(level STREQUAL x86-64)
+      target_compile_options(${library} PRIVATE -Wno-psabi) # quads are passed by functions that are always inlined
+    else()
       target_compile_options(${library} PRIVATE -march=${level} ${vector_options})
       install(TARGETS ${library} LIBRARY DESTINATION ${place} COMPONENT interlock NAMELINK_SKIP)
     endif()
