@@ -2,11 +2,11 @@
 
 #include "apps/build_info.h"
 #include "apps/case_hash.h"
+#include "apps/closing_summary.h"
 #include "apps/interruption.h"
 #include "apps/progress.h"
 #include "apps/ranks.h"
 #include "apps/report_command.h"
-#include "apps/result_text.h"
 #include "apps/run_folder.h"
 #include "coupling/files/atomic_file.h"
 #include "coupling/run/checkpoints.h"
@@ -57,22 +57,6 @@ coupling::Monitor monitor_for(const CaseRun& run, ProgressDisplay& display)
             if (run.watch && progress.world) run.watch(progress);
           },
           [&display](const std::string& sentence) { display.message(sentence); }, is_interrupted};
-}
-
-std::string closing_text(const coupling::Summary& summary, const fs::path& folder)
-{
-  std::ostringstream text;
-  text << "Done: ";
-  if (summary.clumps > 0)
-    text << summary.clumps << " stones of " << summary.spheres << " spheres, ";
-  text << summary.steps << " steps in " << duration_text(summary.wall_time) << '.';
-  for (const auto& result : summary.results.items())
-    text << "\n  " << result_text(result.key(), result.value());
-  if (summary.energy.contains("relative_error"))
-    text << "\n  "
-         << result_text("relative_error_of_the_energy_ledger", summary.energy["relative_error"]);
-  text << "\nEverything is in " << folder.string() << '.';
-  return text.str();
 }
 
 // Where and when a run ended, and with which program.
@@ -146,13 +130,13 @@ coupling::RunRequest request_for(const CaseRun& run, const RunInput& input,
   return request;
 }
 
-// Tells what came out, draws it, and throws when it is not to be used.
+// Tells what came out, draws it, says what to do next, and throws when it is not to be used.
 void close(const RunInput& input, const coupling::Summary& summary, const fs::path& folder,
            bool quiet, ProgressDisplay& display)
 {
-  display.message(closing_text(summary, folder));
-  const bool drawn =
-      !input.experiment->draws_figures(input.parameters) || draw_figures(folder, quiet) == 0;
+  display.message(closing_summary(summary, folder));
+  const bool draws = input.experiment->draws_figures(input.parameters);
+  const bool drawn = !draws || draw_figures(folder, quiet) == 0;
   if (!drawn && is_interrupted())
     throw Interrupted("interrupted while the figures were drawn; the run is whole, and \"interlock "
                       "report " +
@@ -160,6 +144,8 @@ void close(const RunInput& input, const coupling::Summary& summary, const fs::pa
   if (!drawn)
     display.message("warning: figures or report.html are missing; \"interlock report " +
                     folder.string() + "\" tries again.");
+  else
+    display.message(next_step(folder, draws));
   if (!summary.ledger_closes)
     throw std::runtime_error(
         "a tenth of the work or more was made or lost, see the warnings. What is in " +

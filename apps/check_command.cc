@@ -4,6 +4,9 @@
 #include "apps/mpi_start.h"
 #include "apps/parameter_file.h"
 #include "apps/progress.h"
+#include "apps/ranks.h"
+#include "apps/run_cost.h"
+#include "coupling/run/machine_speed.h"
 
 #include <fmt/format.h>
 
@@ -30,18 +33,15 @@ void print(const coupling::Forecast& forecast)
   if (forecast.stages.empty()) return;
   std::cout << fmt::format("\n{:<18}{:>14}{:>12}{:>18}\n", "stage", "simulated [s]", "steps",
                            "processor time");
-  double time = 0;
   std::int64_t steps = 0;
   for (const coupling::StageForecast& stage : forecast.stages) {
-    time += forecast.time(stage);
     steps += forecast.steps(stage);
     std::cout << fmt::format("{:<18}{:>14.3g}{:>12}{:>18}\n", stage.name, stage.simulated_time,
                              forecast.steps(stage), duration_text(forecast.time(stage)));
   }
-  std::cout << fmt::format("{:<18}{:>14}{:>12}{:>18}\n\n", "in all", "", steps, duration_text(time))
-            << fmt::format("Memory about {:.2g} GB, files about {:.2g} GB. Times and sizes are "
-                           "estimates, good to a factor of two.\n",
-                           1e-9 * forecast.memory(), 1e-9 * forecast.disk());
+  std::cout << fmt::format("{:<18}{:>14}{:>12}{:>18}\n\n", "in all", "", steps,
+                           duration_text(forecast.time()))
+            << cost_text(forecast, all_ranks().size()) << '\n';
 }
 
 void check(CheckArguments arguments)
@@ -54,7 +54,9 @@ void check(CheckArguments arguments)
   request.entries = input.kept;
   request.monitor.progress = [](const coupling::Progress&) { throw_if_interrupted(); };
   request.monitor.message = [](const std::string& sentence) { std::cout << sentence << '\n'; };
-  print(input.experiment->forecast(input.parameters, request));
+  coupling::Forecast forecast = input.experiment->forecast(input.parameters, request);
+  coupling::measure_machine(forecast);
+  print(forecast);
   std::cout << "The case can be run: interlock run " << arguments.file << '\n';
 }
 } // namespace

@@ -1,6 +1,7 @@
 #include "apps/experiments.h"
 
 #include "apps/case_templates.h"
+#include "apps/run_cost.h"
 #include "coupling/heap/heap.h"
 #include "coupling/heap/heap_declarations.h"
 #include "coupling/heap/heap_forecast.h"
@@ -13,6 +14,7 @@
 #include "coupling/pull_out/pull_out.h"
 #include "coupling/pull_out/pull_out_declarations.h"
 #include "coupling/pull_out/pull_out_forecast.h"
+#include "coupling/run/machine_speed.h"
 #include "coupling/run/run.h"
 #include "coupling/shear_box/shear_box.h"
 #include "coupling/shear_box/shear_box_declarations.h"
@@ -36,7 +38,10 @@ ReadyExperiment staged(const Parameters& parameters, double checkpoint_interval,
   std::vector<double> stage_times;
   if (!request.resume) {
     simulation->prepare(request.monitor, request.entries);
-    const coupling::Forecast expected = forecast(*simulation);
+    coupling::Forecast expected = forecast(*simulation);
+    coupling::measure_machine(expected);
+    if (request.monitor.message)
+      request.monitor.message(cost_text(expected, request.ranks ? request.ranks->size() : 1));
     for (const coupling::StageForecast& stage : expected.stages)
       stage_times.push_back(expected.time(stage));
   }

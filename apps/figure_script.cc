@@ -1,6 +1,7 @@
 #include "apps/figure_script.h"
 
 #include "apps/interruption.h"
+#include "apps/shared_files.h"
 
 #include <boost/algorithm/string.hpp>
 
@@ -24,20 +25,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* python = "/usr/bin/python3";
 
-fs::path find_script(const std::string& name)
+ScriptResult not_found(const fs::path& file)
 {
-  std::error_code error;
-  for (const fs::path& folder : script_folders())
-    if (fs::is_regular_file(folder / name, error)) return folder / name;
-  return {};
-}
-
-ScriptResult not_found(const std::string& name)
-{
-  std::vector<std::string> looked;
-  for (const fs::path& folder : script_folders()) looked.push_back("\"" + folder.string() + "\"");
-  return {127, "the script " + name + " is in none of the folders " + boost::join(looked, ", ") +
-                   "; copy apps/*.py and apps/report of the sources into one of them."};
+  if (!file.is_absolute())
+    return {127, "the script " + file.filename().string() +
+                     " cannot be found, since no folder share/interlock is beside the program; "
+                     "name one in the environment variable INTERLOCK_SHARE."};
+  return {127, "the script " + file.string() +
+                   " does not exist; install the program again, or name its folder share/interlock "
+                   "in the environment variable INTERLOCK_SHARE."};
 }
 
 // What finding files takes, and a language in which every name of a folder can be printed.
@@ -105,23 +101,12 @@ std::string sentence(std::string text)
 }
 } // namespace
 
-std::vector<fs::path> script_folders()
-{
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-  std::vector<fs::path> folders;
-  if (!program.empty())
-    folders = {program.parent_path() / "share" / "interlock", program,
-               program.parent_path().parent_path().parent_path() / "apps"};
-  folders.push_back(fs::path(INTERLOCK_SOURCE_DIR) / "apps");
-  return folders;
-}
-
 ScriptResult run_figure_script(const std::string& script, const std::vector<std::string>& arguments,
                                const bool quiet)
 {
-  const fs::path file = find_script(script);
-  if (file.empty()) return not_found(script);
+  const fs::path file = shared_folder() / "apps" / script;
+  std::error_code error_of_file;
+  if (!fs::is_regular_file(file, error_of_file)) return not_found(file);
   std::vector<std::string> command = {python, "-I", file.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   int pipe[2];

@@ -14,17 +14,13 @@ struct ScriptResult {
   std::string reason; // one full sentence where `status` is not 0
 };
 
-// Where scripts are looked for, in this order: PREFIX/share/interlock of a program installed as
-// PREFIX/bin/interlock; the program's own folder; the sources around its build folder,
-// build/release/bin; the sources that it was built from.
-std::vector<std::filesystem::path> script_folders();
-
-// Runs `script` ("figures.py") with `arguments`, without a shell, so that they may hold any
-// character. The interpreter is the system's, for which Debian packages Matplotlib and h5py,
-// isolated (python3 -I) and without the variables that the user's modules, virtual environments and
-// shells export: another Python's packages, another HDF5 library, settings of Matplotlib. What the
-// script prints goes to the standard output, unless it is to be quiet; the reason is the last line
-// of what it says on its error output. An interrupt (interruption.h) ends the script.
+// Runs `script` ("figures.py") of the folder apps in shared_folder() (shared_files.h) with
+// `arguments`, without a shell, so that they may hold any character. The interpreter is the
+// system's, for which Debian packages Matplotlib and h5py, isolated (python3 -I) and without the
+// variables that the user's modules, virtual environments and shells export: another Python's
+// packages, another HDF5 library, settings of Matplotlib. What the script prints goes to the
+// standard output, unless it is to be quiet; the reason is the last line of what it says on its
+// error output. An interrupt (interruption.h) ends the script.
 ScriptResult run_figure_script(const std::string& script, const std::vector<std::string>& arguments,
                                bool quiet = false);
 } // namespace interlock::apps

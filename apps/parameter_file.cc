@@ -76,7 +76,7 @@ public:
     const std::size_t errors_before = errors_.size();
     if (has_file) {
       const Assignment line = *naming;
-      const auto product = product_section(absolute_path(line), line, errors_);
+      const auto product = product_section(product_file(line), line, errors_);
       assignments_.insert(assignments_.begin(), product.begin(), product.end());
       if (errors_.size() > errors_before) throw_errors(); // nobody knows what is missing
     }
@@ -181,16 +181,13 @@ private:
     return has_product_ && entry.replaced_by == product_entry_;
   }
 
-  static fs::path absolute_path(const Assignment& assignment)
+  std::string resolved(const ParameterEntry& entry, const Assignment& assignment) const
   {
-    return fs::absolute(assignment.base / assignment.value).lexically_normal();
-  }
-
-  static std::string resolved(const ParameterEntry& entry, const Assignment& assignment)
-  {
+    if (entry.key() == product_entry_ && !assignment.value.empty())
+      return product_file(assignment).string();
     if (entry.key() == experiment_entry) return present_name(assignment.value);
     if (!entry.is_path || assignment.value.empty()) return assignment.value;
-    return absolute_path(assignment).string();
+    return fs::absolute(assignment.base / assignment.value).lexically_normal().string();
   }
 
   fs::path file_;

@@ -1,5 +1,7 @@
 #include "apps/progress.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -32,6 +34,12 @@ std::string duration_text(const double seconds)
   else
     text << whole / 3600 << ':' << std::setw(2) << std::setfill('0') << whole % 3600 / 60 << " h";
   return text.str();
+}
+
+std::string bytes_text(const double bytes)
+{
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", std::max(1., 1e-6 * bytes))
+                     : fmt::format("{:.2g} GB", 1e-9 * bytes);
 }
 
 std::string progress_bar(const double fraction, const int width)

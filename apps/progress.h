@@ -28,6 +28,9 @@ std::string progress_bar(double fraction, int width);
 // "12 s", "1:23 min", "2:05 h".
 std::string duration_text(double seconds);
 
+// "64 MB", "1.3 GB"; at least a megabyte.
+std::string bytes_text(double bytes);
+
 // Characters that fit into a line of the terminal on the standard output; no end without one.
 std::size_t terminal_line_width();
 

@@ -64,12 +64,8 @@ def read_text(path):
 
 
 def citation():
-    """The sentence to cite, and the file that it is from; beside the scripts of an installed program."""
-    for folder in (HERE, os.path.dirname(HERE)):
-        text = read_text(os.path.join(folder, "CITATION.cff"))
-        if text:
-            return text
-    return ""
+    """The sentence to cite, and the file that it is from: beside the folder of the scripts."""
+    return read_text(os.path.join(os.path.dirname(HERE), "CITATION.cff"))
 
 
 def cited(text, summary):

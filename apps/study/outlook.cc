@@ -59,12 +59,6 @@ std::map<std::pair<bool, int>, std::vector<int>> alike(const Plan& plan)
   }
   return groups;
 }
-
-std::string bytes_text(double bytes)
-{
-  return bytes < 1e9 ? fmt::format("{:.0f} MB", std::max(1., 1e-6 * bytes))
-                     : fmt::format("{:.2g} GB", 1e-9 * bytes);
-}
 } // namespace
 
 Outlook look_ahead(const Plan& plan, const std::vector<RunInput>& inputs,

@@ -1,6 +1,7 @@
 #include "coupling/run/forecast.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace interlock::coupling
 {
@@ -12,18 +13,28 @@ std::int64_t Forecast::steps(const StageForecast& stage) const
 double Forecast::time(const StageForecast& stage) const
 {
   const double per_step = 1e-9 * stage.mean_spheres + (stage.has_flexible_ribs ? 28e-6 : 0);
-  return static_cast<double>(steps(stage)) * per_step;
+  return static_cast<double>(steps(stage)) * per_step * slowness;
+}
+
+double Forecast::time() const
+{
+  return std::accumulate(stages.begin(), stages.end(), 0.,
+                         [this](double sum, const StageForecast& s) { return sum + time(s); });
 }
 
 double Forecast::memory() const
 {
-  return 1.5e8 + 2e3 * static_cast<double>(spheres);
+  return program_memory + 2e3 * static_cast<double>(spheres);
+}
+
+double Forecast::frame_size() const
+{
+  return 42 * static_cast<double>(spheres);
 }
 
 double Forecast::disk() const
 {
-  constexpr double per_sphere_and_frame = 42, per_clump_and_state = 1.5e3;
-  return per_sphere_and_frame * static_cast<double>(spheres) * frames +
-         4 * per_clump_and_state * static_cast<double>(clumps);
+  constexpr double per_clump_and_state = 1.5e3;
+  return frame_size() * frames + 4 * per_clump_and_state * static_cast<double>(clumps);
 }
 } // namespace interlock::coupling

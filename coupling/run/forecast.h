@@ -22,12 +22,17 @@ struct Forecast {
   double time_step = 0;                 // [s]
   std::vector<StageForecast> stages;
   int frames = 0;
+  // How many times longer a step takes here than there (machine_speed.h).
+  double slowness = 1;
+  double program_memory = 1.5e8; // of the program before the stones are there [bytes]
 
   std::int64_t steps(const StageForecast& stage) const; // of a stage
   // Processor time of a stage [s]: a step costs 1.2 ns for each sphere, and 35 us for flexible
-  // ribs, whose contacts and beams are sub-cycled.
+  // ribs, whose contacts and beams are sub-cycled; times `slowness`.
   double time(const StageForecast& stage) const;
-  double memory() const; // [bytes]: the program and 2 kB a sphere
-  double disk() const;   // [bytes]: frames, states
+  double time() const;       // of all stages [s]
+  double memory() const;     // [bytes]: the program and 2 kB a sphere
+  double frame_size() const; // of one when all stones are there [bytes]
+  double disk() const;       // [bytes]: frames, states
 };
 } // namespace interlock::coupling

@@ -212,7 +212,7 @@ Vector3 Clumps::spin_of(int i, const Vector3& momentum) const
 
 void Clumps::drift_all(double dt, const ScalarField& held_clumps)
 {
-  for (int i = 0; i < position.padded_size(); i += lane_width) {
+  for (int i = 0; i < position.padded_size(); i += Wide::lanes) {
     const auto held = Wide::load(held_clumps.row(0) + i) > 0;
     const LaneQuaternionOf<Wide> q = load(orientation, i);
     const AttitudeStep<Wide> step =

@@ -1,5 +1,5 @@
-// lane_width lanes as one number: registers side by side, so that the processor finds one whose
-// operands are ready (docs/performance.md). Formulas written for any number type
+// Wide::lanes lanes as one number: two registers side by side, so that the processor finds one whose
+// operands are ready; more of them would not fit (docs/performance.md). Formulas written for any number type
 // (lane_vector.h, contacts/contact_law.h) run with it; every lane is rounded as every other one.
 #pragma once
 
@@ -15,7 +15,8 @@ using Register = std::experimental::native_simd<double>;
 class Wide
 {
 public:
-  static constexpr int registers = lane_width / static_cast<int>(Register::size());
+  static constexpr int registers = 2, lanes = registers * static_cast<int>(Register::size());
+  static_assert(lane_width % lanes == 0);
 
   struct Mask {
     Register::mask_type part[registers];

@@ -35,13 +35,14 @@ struct alignas(64) LaneMoments {
 
 constexpr int blocks_at_a_time = 4;
 
-INTERLOCK_LANE LaneVector<Wide> load(const Row (&rows)[3])
+// From lane l on.
+INTERLOCK_LANE LaneVector<Wide> load(const Row (&rows)[3], int l)
 {
-  return {Wide::load(rows[0]), Wide::load(rows[1]), Wide::load(rows[2])};
+  return {Wide::load(rows[0] + l), Wide::load(rows[1] + l), Wide::load(rows[2] + l)};
 }
-INTERLOCK_LANE void store(Row (&rows)[3], LaneVector<Wide> a)
+INTERLOCK_LANE void store(Row (&rows)[3], int l, LaneVector<Wide> a)
 {
-  a.x.store(rows[0]), a.y.store(rows[1]), a.z.store(rows[2]);
+  a.x.store(rows[0] + l), a.y.store(rows[1] + l), a.z.store(rows[2] + l);
 }
 
 struct Contact {
@@ -49,55 +50,59 @@ struct Contact {
   LaneVector<Wide> normal, point;
 };
 
-INTERLOCK_LANE Contact contact_of(const LaneBlock& block, const LaneGeometry& geometry)
+INTERLOCK_LANE Contact contact_of(const LaneBlock& block, const LaneGeometry& geometry, int l)
 {
-  const LaneVector<Wide> d = load(geometry.between);
-  const Wide distance = square_root(dot(d, d) + 1e-300), radius1 = Wide::load(block.radius1);
+  const LaneVector<Wide> d = load(geometry.between, l);
+  const Wide distance = square_root(dot(d, d) + 1e-300), radius1 = Wide::load(block.radius1 + l);
   Contact contact;
-  contact.overlap = (radius1 + Wide::load(block.radius2)) - distance;
+  contact.overlap = (radius1 + Wide::load(block.radius2 + l)) - distance;
   contact.normal = (1 / distance) * d;
   // In the middle of the overlap.
-  contact.point = load(geometry.centre) - (radius1 - 0.5 * contact.overlap) * contact.normal;
+  contact.point = load(geometry.centre, l) - (radius1 - 0.5 * contact.overlap) * contact.normal;
   return contact;
 }
 
 template <bool shared, class Law>
-INTERLOCK_LANE void apply_law(const Law& law, double dt, const LaneGeometry& geometry,
+INTERLOCK_LANE void apply_law(const Law& law, double dt, const LaneGeometry& geometry, int l,
                               LaneBlock& block, LaneMoments& out)
 {
   constexpr bool stiffness_changes = shared || Law::stiffness_changes;
-  const Contact contact = contact_of(block, geometry);
+  const Contact contact = contact_of(block, geometry, l);
   const LaneVector<Wide> relative =
-      load(geometry.velocity) + cross(load(geometry.spin_difference), contact.point);
-  const LaneVector<Wide> turn = 0.5 * dt * load(geometry.spin_sum);
+      load(geometry.velocity, l) + cross(load(geometry.spin_difference, l), contact.point);
+  const LaneVector<Wide> turn = 0.5 * dt * load(geometry.spin_sum, l);
 
-  ConstantsOf<Wide> constants{Wide::load(block.reduced_mass), Wide::load(block.root_mass), 0};
-  HistoryOf<Wide> history{load(block.spring), load(block.dashpot), Wide::load(block.overlap), 0};
+  ConstantsOf<Wide> constants{Wide::load(block.reduced_mass + l), Wide::load(block.root_mass + l),
+                              0};
+  HistoryOf<Wide> history{load(block.spring, l), load(block.dashpot, l),
+                          Wide::load(block.overlap + l), 0};
   if constexpr (stiffness_changes) {
-    constants.reduced_radius = Wide::load(block.reduced_radius);
-    history.tangential_stiffness = Wide::load(block.tangential_stiffness);
+    constants.reduced_radius = Wide::load(block.reduced_radius + l);
+    history.tangential_stiffness = Wide::load(block.tangential_stiffness + l);
   }
   if constexpr (Law::crushes) {
-    constants.reduced_radius = Wide::load(block.reduced_radius);
-    history.crushed = Wide::load(block.crushed);
+    constants.reduced_radius = Wide::load(block.reduced_radius + l);
+    history.crushed = Wide::load(block.crushed + l);
   }
   ShareOf<Wide> share;
-  if constexpr (shared) share = {Wide::load(block.shared_depth), Wide::load(block.gradient)};
+  if constexpr (shared)
+    share = {Wide::load(block.shared_depth + l), Wide::load(block.gradient + l)};
   EnergyOf<Wide> energy;
   const LaneVector<Wide> force = contact_force<shared>(
       law, constants, contact.overlap, contact.normal, relative, turn, share, dt, history, energy);
-  store(block.spring, history.spring);
-  store(block.dashpot, history.dashpot);
-  history.overlap.store(block.overlap);
+  store(block.spring, l, history.spring);
+  store(block.dashpot, l, history.dashpot);
+  history.overlap.store(block.overlap + l);
   // A constant one stands there since the lanes were made (Engine::compute_forces).
-  if constexpr (stiffness_changes) history.tangential_stiffness.store(block.tangential_stiffness);
-  store(block.force, force);
-  store(out.moment, cross(contact.point, force));
-  energy.friction.store(out.friction);
-  energy.damping.store(out.damping);
+  if constexpr (stiffness_changes)
+    history.tangential_stiffness.store(block.tangential_stiffness + l);
+  store(block.force, l, force);
+  store(out.moment, l, cross(contact.point, force));
+  energy.friction.store(out.friction + l);
+  energy.damping.store(out.damping + l);
   if constexpr (Law::crushes) {
-    history.crushed.store(block.crushed);
-    energy.crushing.store(out.crushing);
+    history.crushed.store(block.crushed + l);
+    energy.crushing.store(out.crushing + l);
   }
 }
 
@@ -147,10 +152,12 @@ INTERLOCK_LANE void add_pairs(const LaneBlock& block, const LaneMoments& moments
 INTERLOCK_LANE void add_at_wall(const LaneBlock& block, const LaneMoments& moments,
                                 LaneVector<Wide>& force_on_stones, BodySums::Sum* sums)
 {
-  const LaneVector<Wide> force = load(block.force);
-  force_on_stones.x = force_on_stones.x + on_grid<force_grid>(force.x);
-  force_on_stones.y = force_on_stones.y + on_grid<force_grid>(force.y);
-  force_on_stones.z = force_on_stones.z + on_grid<force_grid>(force.z);
+  for (int l = 0; l < lane_width; l += Wide::lanes) {
+    const LaneVector<Wide> force = load(block.force, l);
+    force_on_stones.x = force_on_stones.x + on_grid<force_grid>(force.x);
+    force_on_stones.y = force_on_stones.y + on_grid<force_grid>(force.y);
+    force_on_stones.z = force_on_stones.z + on_grid<force_grid>(force.z);
+  }
   constexpr Quad with_energy{1, 1, 1, -2};
   for (int l = 0; l < lane_width; l += 4) {
     const Wrenches w(block, moments, l);
@@ -211,7 +218,9 @@ INTERLOCK_LANE void run_stages(const Law& law_of_pair, double dt, LaneBlock* blo
     const int m = std::min(blocks_at_a_time, n - begin);
     LaneBlock* now = blocks + begin;
     for (int b = 0; b < m; ++b) place(now[b], geometry[b]);
-    for (int b = 0; b < m; ++b) apply_law<shared>(law, dt, geometry[b], now[b], moments[b]);
+    for (int b = 0; b < m; ++b)
+      for (int l = 0; l < lane_width; l += Wide::lanes)
+        apply_law<shared>(law, dt, geometry[b], l, now[b], moments[b]);
     for (int b = 0; b < m; ++b) add(now[b], moments[b]);
   }
 }
@@ -222,7 +231,8 @@ template <class Place> void measure(LaneBlock* blocks, int n, const Place& place
   LaneGeometry geometry;
   for (int b = 0; b < n; ++b) {
     place(blocks[b], geometry);
-    contact_of(blocks[b], geometry).overlap.store(blocks[b].shared_depth);
+    for (int l = 0; l < lane_width; l += Wide::lanes)
+      contact_of(blocks[b], geometry, l).overlap.store(blocks[b].shared_depth + l);
   }
 }
 } // namespace
@@ -277,7 +287,8 @@ void evaluate_wall(const BodyRecords& bodies, double dt, WallSegment segment, Co
                                         });
   });
   Row parts[3];
-  store(parts, on_stones);
-  for (int c = 0; c < 3; ++c) wall.force[c] = -std::accumulate(parts[c], parts[c] + lane_width, 0.);
+  store(parts, 0, on_stones);
+  for (int c = 0; c < 3; ++c)
+    wall.force[c] = -std::accumulate(parts[c], parts[c] + Wide::lanes, 0.);
 }
 } // namespace interlock::dem

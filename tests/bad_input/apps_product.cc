@@ -62,8 +62,10 @@ protected:
 
 TEST_F(BadProduct, MissingFileIsNamed)
 {
-  expect_words({"Geogrid/Product=ssla30.prm"},
-               {"--set", "\"Geogrid/Product\"", "ssla30.prm", "does not exist", "cases/geogrids"});
+  expect_words({"Geogrid/Product=ssla31.prm"},
+               {"--set", "\"Geogrid/Product\"", "ssla31.prm", "does not exist", "cases/geogrids"});
+  expect_words({"Geogrid/Product=nowhere/ssla30.prm"},
+               {"--set", "\"Geogrid/Product\"", "nowhere/ssla30.prm", "does not exist"});
 }
 
 TEST_F(BadProduct, FileWithoutTheSectionIsNoProduct)

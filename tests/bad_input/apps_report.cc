@@ -4,6 +4,7 @@
 // with the parameters of one run and the results of another one that is drawn, to fail.
 #include "apps/case_hash.h"
 #include "apps/figure_script.h"
+#include "apps/shared_files.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -63,8 +64,9 @@ protected:
     fs::create_directories(folder / "usr/bin");
     fs::copy_file(INTERLOCK_PROGRAM, folder / "usr/bin/interlock",
                   fs::copy_options::overwrite_existing);
-    put(folder / "usr/share/interlock/figures.py", script);
-    put(folder / "usr/share/interlock/report.py", "import sys\nprint('page of', sys.argv[1])\n");
+    put(folder / "usr/share/interlock/apps/figures.py", script);
+    put(folder / "usr/share/interlock/apps/report.py",
+        "import sys\nprint('page of', sys.argv[1])\n");
     return folder / "usr/bin/interlock";
   }
 
@@ -140,13 +142,21 @@ TEST_F(Report, RefusesAFolderWithNothingToDraw)
   EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
 }
 
-TEST_F(Report, NamesTheFoldersWhereAScriptIsNot)
+TEST_F(Report, NamesTheScriptThatIsNotThere)
 {
   const apps::ScriptResult result = apps::run_figure_script("no_such_script.py", {"x"});
   EXPECT_EQ(result.status, 127);
-  EXPECT_EQ(result.reason.find("the script no_such_script.py is in none of the folders "), 0u);
-  for (const fs::path& place : apps::script_folders())
-    EXPECT_NE(result.reason.find('"' + place.string() + '"'), std::string::npos) << place;
+  const std::string file = (apps::shared_folder() / "apps/no_such_script.py").string();
+  EXPECT_EQ(result.reason.find("the script " + file + " does not exist"), 0u) << result.reason;
+}
+
+TEST_F(Report, TakesTheSharedFolderThatTheEnvironmentNames)
+{
+  setenv("INTERLOCK_SHARE", folder.c_str(), 1);
+  const apps::ScriptResult result = apps::run_figure_script("figures.py", {"x"});
+  unsetenv("INTERLOCK_SHARE");
+  EXPECT_EQ(result.status, 127);
+  EXPECT_NE(result.reason.find(folder.string()), std::string::npos) << result.reason;
 }
 
 // --- Of two runs -------------------------------------------------------------------------------

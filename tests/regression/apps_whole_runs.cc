@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -63,6 +64,14 @@ protected:
         << text_of(folder / (output + ".err"));
     EXPECT_EQ(text_of(folder / (output + ".err")), "");
     EXPECT_NE(text_of(folder / output / "run.log").find("Done: "), std::string::npos);
+    // What it takes, then the run, then its numbers, then what to do with them.
+    const std::string said = text_of(folder / (output + ".out"));
+    EXPECT_EQ(said.find("About "), 0u) << said;
+    const bool has_page = fs::exists(folder / output / "report.html");
+    const std::string next = has_page ? "Look at it in a browser: " : "Numbers for a script: ";
+    EXPECT_NE(said.find(next), std::string::npos) << said;
+    EXPECT_LT(said.find("Done: "), said.find(next)) << said;
+    EXPECT_LE(std::count(said.begin() + said.find("Done: "), said.end(), '\n'), 24) << said;
     for (const auto& entry : fs::directory_iterator(folder / output)) {
       EXPECT_NE(entry.path().extension(), ".part") << entry.path();
       EXPECT_TRUE(entry.is_directory() || entry.file_size() > 0) << entry.path();

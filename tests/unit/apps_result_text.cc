@@ -18,6 +18,19 @@ TEST(ResultText, HasFourDigitsAndTheUnit)
             "wide width force at 2 percent along = 4.1 kN/m");
 }
 
+TEST(ResultText, TakesTheUnitThatSuitsTheSize)
+{
+  EXPECT_EQ(result_text("displacement_at_peak_m", 0.012650191434313986),
+            "displacement at peak = 12.65 mm");
+  EXPECT_EQ(result_text("box_length_m", 1.25), "box length = 1.25 m");
+  EXPECT_EQ(result_text("smallest_stable_step_s", 3.5521972974475988e-06),
+            "smallest stable step = 3.552 us");
+  EXPECT_EQ(result_text("contacts_s_per_step", 1.2345678e-05), "contacts = 12.35 us a step");
+  EXPECT_EQ(result_text("peak_pull_force_N", 523456.789), "peak pull force = 523.5 kN");
+  EXPECT_EQ(result_text("cell_pressure_Pa", 30123.4), "cell pressure = 30.12 kPa");
+  EXPECT_EQ(result_text("surcharge_N", 0.), "surcharge = 0 N");
+}
+
 TEST(ResultText, LeavesWordsAndWholeNumbers)
 {
   EXPECT_EQ(result_text("stones", 123456), "stones = 123456");

@@ -12,7 +12,7 @@ namespace interlock::dem
 {
 namespace
 {
-using Numbers = std::array<double, lane_width>;
+using Numbers = std::array<double, Wide::lanes>;
 
 Numbers numbers(const Wide& wide)
 {
@@ -32,7 +32,7 @@ struct Lanes {
 Lanes all_kinds()
 {
   Lanes lanes;
-  for (int l = 0; l < lane_width; ++l) {
+  for (int l = 0; l < Wide::lanes; ++l) {
     lanes.overlap[l] = l % 4 == 3 ? -1e-6 : 1e-6 * (1 + l);
     lanes.was[l] = l % 8 == 7 ? 0 : 1.1e-6 * (1 + l % 5);
     lanes.speed[l] = 0.01 * (l % 3 - 1);
@@ -63,7 +63,7 @@ template <bool shared, class Law> void compare(const Law& law)
   const auto together =
       law_of<shared, Wide>(law, wide(lanes.overlap), wide(lanes.was), wide(lanes.speed),
                            wide(lanes.spring), wide(lanes.turn));
-  for (int l = 0; l < lane_width; ++l) {
+  for (int l = 0; l < Wide::lanes; ++l) {
     const auto alone = law_of<shared, double>(law, lanes.overlap[l], lanes.was[l], lanes.speed[l],
                                               lanes.spring[l], lanes.turn[l]);
     for (int k = 0; k < 8; ++k)
@@ -111,18 +111,18 @@ TEST(WideLanes, NoLaneDiffersFromAnother)
 {
   Lanes lanes = all_kinds();
   for (Numbers* row : {&lanes.overlap, &lanes.was, &lanes.speed, &lanes.spring, &lanes.turn})
-    for (int l = 4; l < lane_width; ++l) (*row)[l] = (*row)[l % 4];
+    for (int l = 4; l < Wide::lanes; ++l) (*row)[l] = (*row)[l % 4];
   for (const Wide& number : law_of_loaded(lanes))
-    for (int l = 4; l < lane_width; ++l) EXPECT_EQ(numbers(number)[l], numbers(number)[l % 4]);
+    for (int l = 4; l < Wide::lanes; ++l) EXPECT_EQ(numbers(number)[l], numbers(number)[l % 4]);
 }
 
 TEST(WideLanes, AttitudeInEachLane)
 {
   Numbers x;
-  for (int l = 0; l < lane_width; ++l) x[l] = 0.1 * (l - 5);
+  for (int l = 0; l < Wide::lanes; ++l) x[l] = 0.1 * (l - 5);
   const auto together =
       advance_attitude<Wide>({0.6, 0, 0, 0.8}, {wide(x), 1e-3, wide(x)}, {1e3, 2e3, 3e3}, 1e-4);
-  for (int l = 0; l < lane_width; ++l) {
+  for (int l = 0; l < Wide::lanes; ++l) {
     const auto alone =
         advance_attitude<double>({0.6, 0, 0, 0.8}, {x[l], 1e-3, x[l]}, {1e3, 2e3, 3e3}, 1e-4);
     EXPECT_NEAR(numbers(together.attitude.x)[l], alone.attitude.x, 1e-15);
