@@ -29,8 +29,9 @@ template <class Value> std::string hash_of_value(const char* name, Value value)
 
 std::string file_hash(const fs::path& file)
 {
+  std::error_code error;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) return "";
+  if (!stream || !fs::is_regular_file(file, error)) return "";
   return hash_of_value("content", std::string(std::istreambuf_iterator<char>(stream), {}));
 }
 

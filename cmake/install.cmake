@@ -1,7 +1,7 @@
 # What `make install` and the Debian packages put where, below a prefix that is chosen then:
 #   component interlock   bin/interlock; share/interlock: scripts and page of the report, cases; completion, manual
 #   component dev         headers in include/interlock, libraries in lib, what find_package(Interlock) reads
-#   component python      the module, if this checkout has one (python/CMakeLists.txt)
+#   component python      the module of Python (python/CMakeLists.txt)
 # share/interlock has the layout of the checkout, and the build folder has links to the same places, so that the
 # program finds everything by one rule (apps/shared_files.h).
 include(CMakePackageConfigHelpers)

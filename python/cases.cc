@@ -1,3 +1,4 @@
+#include "coupling/run/machine_speed.h"
 #include "python/cases.h"
 
 #include "apps/interruption.h"
@@ -61,6 +62,7 @@ py::dict forecast(const apps::RunInput& input)
   {
     py::gil_scoped_release others_may_run;
     expected = input.experiment->forecast(input.parameters, request);
+    coupling::measure_machine(expected);
   }
   return dict_of(expected);
 }

@@ -50,11 +50,13 @@ public:
     const auto moment = std::make_shared<Moment>(progress, simulation_);
     try {
       const py::object answer = callback_(moment);
-      stopped_ = answer.is(py::bool_(true)) ||
+      stopped_ = is_true(answer) ||
                  (py::isinstance<py::str>(answer) && py::cast<std::string>(answer) == "stop");
     } catch (py::error_already_set& error) {
+      // Its frames may hold arrays, and the run goes on to the end of its step.
+      const py::object trace = error.trace();
       raise_later(std::move(error));
-      moment->end(); // its traceback may hold arrays: the run ends, the simulation stays
+      if (!moment->end() && trace) py::module_::import("traceback").attr("clear_frames")(trace);
       return;
     }
     if (moment->end()) return;
@@ -88,6 +90,14 @@ public:
   }
 
 private:
+  // True, of Python or of NumPy; other objects that count as true say nothing.
+  static bool is_true(const py::object& answer)
+  {
+    const bool is_bool = py::isinstance<py::bool_>(answer) ||
+                         py::isinstance(answer, py::module_::import("numpy").attr("bool_"));
+    return is_bool && answer.attr("__bool__")().is(py::bool_(true));
+  }
+
   void raise_later(py::error_already_set error)
   {
     raised_.emplace(std::move(error));

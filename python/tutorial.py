@@ -12,7 +12,7 @@ import numpy as np
 
 import interlock
 
-folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "results/tutorial")
+folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "results/python_tutorial")
 cases = pathlib.Path(__file__).resolve().parent.parent / "cases"
 
 # %% Six stones. Scans of your own are as good: interlock.clump("scan.stl", unit="mm", ...).

@@ -118,7 +118,7 @@ void pull_again(const SecondPull& pull)
   ProgressDisplay display(std::cout, isatty(STDOUT_FILENO) != 0, log);
   coupling::RunRequest request;
   request.folder = pull.folder;
-  request.entries = input.entries;
+  request.entries = input.kept;
   request.version = INTERLOCK_VERSION;
   request.monitor.message = [&](const std::string& sentence) { display.message(sentence); };
   request.monitor.progress = [&](const coupling::Progress& progress) {

@@ -26,7 +26,7 @@ coupling::Forecast forecast_of(const Plan& plan, const Task& task)
   if (plan.study.start_from == "nothing") alone.entries.pop_back();
   const RunInput input = read_task(plan, alone);
   coupling::RunRequest request;
-  request.entries = input.entries;
+  request.entries = input.kept;
   request.monitor.progress = [](const coupling::Progress&) { throw_if_interrupted(); };
   try {
     return input.experiment->forecast(input.parameters, request);

@@ -20,8 +20,8 @@ const std::vector<std::string> fixed_always = {
     "Experiment", "Gravity", "Stones/", "Box/Length", "Box/Width", "Box/Height", "Filling/Seed",
     "Filling/Lower bulk density", "Geogrid/Placement", "Geogrid/Rib thickness",
     // Where the underside of the geogrid is.
-    "Product/Rib thickness along", "Product/Rib thickness across", "Product/Junction thickness",
-    "Product/Junction reach"};
+    "Geogrid/Product", "Product/Rib thickness along", "Product/Rib thickness across",
+    "Product/Junction thickness", "Product/Junction reach"};
 // And what the stones lie around.
 const std::vector<std::string> fixed_by_geogrid = {
     "Geogrid/Apertures along",  "Geogrid/Apertures across",    "Geogrid/Overhang",

@@ -27,7 +27,7 @@ struct Forecast {
   double program_memory = 1.5e8; // of the program before the stones are there [bytes]
 
   std::int64_t steps(const StageForecast& stage) const; // of a stage
-  // Processor time of a stage [s]: a step costs 1.2 ns for each sphere, and 35 us for flexible
+  // Processor time of a stage [s]: a step costs 1 ns for each sphere, and 28 us for flexible
   // ribs, whose contacts and beams are sub-cycled; times `slowness`.
   double time(const StageForecast& stage) const;
   double time() const;       // of all stages [s]

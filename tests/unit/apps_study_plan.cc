@@ -66,6 +66,20 @@ TEST_F(StudyPlan, LevelsAndRanges)
   EXPECT_EQ(study.fillings.levels.size(), 1u);
 }
 
+// Another product lies between other stones.
+TEST_F(StudyPlan, ProductsGetStatesOfTheirOwn)
+{
+  const std::string products = INTERLOCK_SOURCE_DIR "/cases/geogrids/";
+  const apps::Plan made = apps::make_plan(
+      apps::read_study_file(write("study.prm", "set Base case = " INTERLOCK_SOURCE_DIR
+                                               "/cases/pullout/quick.prm\nset Start from = packed\n"
+                                               "subsection Parameters\n  set Geogrid/Product = " +
+                                                   products + "ssla30.prm, " + products +
+                                                   "assumed_5x2.5.prm\nend\n")),
+      folder / "out");
+  EXPECT_EQ(made.n_states, 2);
+}
+
 TEST_F(StudyPlan, GridOfTwoFactorsAndFillings)
 {
   const apps::Plan made =
