@@ -1,4 +1,3 @@
-#include "coupling/run/machine_speed.h"
 #include "python/cases.h"
 
 #include "apps/interruption.h"
@@ -6,6 +5,7 @@
 #include "apps/nearest_name.h"
 #include "apps/output_folder.h"
 #include "apps/parameter_file.h"
+#include "coupling/run/machine_speed.h"
 #include "python/python_run.h"
 
 #include <pybind11/stl.h>
