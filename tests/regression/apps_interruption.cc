@@ -81,8 +81,8 @@ TEST_F(StoppedRunTest, WhileFiguresAreDrawnTheRunIsWhole)
   fs::create_directories(folder / "bin");
   fs::copy_file(program, folder / "bin" / "interlock");
   program = (folder / "bin" / "interlock").string();
-  fs::create_directories(folder / "share" / "interlock");
-  std::ofstream(folder / "share" / "interlock" / "figures.py")
+  fs::create_directories(folder / "share" / "interlock" / "apps");
+  std::ofstream(folder / "share" / "interlock" / "apps" / "figures.py")
       << "import pathlib, sys, time\n"
          "pathlib.Path(sys.argv[1], 'drawing').touch()\n"
          "time.sleep(3600)\n";
