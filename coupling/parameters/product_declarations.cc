@@ -40,7 +40,8 @@ void check_ribs(const ProductRibsParameters& ribs, double neighbour_pitch,
   const bool has_5 = ribs.stiffness_5 > 0;
   const double strain = has_5 ? 0.05 : 0.02,
                force = strain * (has_5 ? ribs.stiffness_5 : ribs.stiffness_2);
-  if (ribs.strength > 0 && ribs.strength < force)
+  const bool stiffens = has_5 && ribs.stiffness_5 > ribs.stiffness_2; // refused by the law
+  if (!stiffens && ribs.strength > 0 && ribs.strength < force)
     problems.add("Product/Strength " + direction, "Ribs that yield at ", ribs.strength,
                  " N/m cannot carry the ", force, " N/m that the stiffness says for a strain of ",
                  100 * strain, " %.");
