@@ -166,33 +166,33 @@ class Cases(Folder):
         self.assertEqual(interlock.Case(SMALL, {"Stones/Density": 26.5}, unusual=True)["Stones/Density"], 26.5)
 
 
-class Stubs(unittest.TestCase):
-    # Arguments, names and members of each stub are those of its module.
-    def test_stubs_are_those_of_the_modules(self):
+class TypeFiles(unittest.TestCase):
+    # Arguments, names and members of each type file (.pyi) are those of its module.
+    def test_types_are_those_of_the_modules(self):
         for name in ("case", "results", "stones_and_clumps", "study"):
             trees = []
             for ending in (".py", ".pyi"):
                 with open(os.path.join(PACKAGE, "interlock", name + ending), encoding="utf-8") as file:
                     trees.append(signatures(ast.parse(file.read()).body))
-            module, stub = trees
-            for key, words in stub.items():
+            module, declared = trees
+            for key, words in declared.items():
                 self.assertIn(key, module, name)
                 if words is not None and "style" not in module[key]:
                     self.assertEqual(module[key], words, f"{name}: {key}")
-            missing = [key for key in module if key not in stub and "_" not in (key[0], key.partition(".")[2][:1])]
+            missing = [key for key in module if key not in declared and "_" not in (key[0], key.partition(".")[2][:1])]
             self.assertEqual(missing, [], name)
 
-    def test_native_stub(self):
+    def test_types_of_the_extension(self):
         import interlock._native as native
         with open(os.path.join(PACKAGE, "interlock", "_native.pyi"), encoding="utf-8") as file:
-            stub = signatures(ast.parse(file.read()).body)
-        for key in stub:
+            declared = signatures(ast.parse(file.read()).body)
+        for key in declared:
             owner, _, member = key.rpartition(".")
             self.assertTrue(hasattr(getattr(native, owner) if owner else native, member), key)
         public = {key for key in dir(native) if not key.startswith("_")} - {"version", "commit"}
-        self.assertEqual(public, {key for key in stub if "." not in key})
+        self.assertEqual(public, {key for key in declared if "." not in key})
         members = {key for key in dir(native.Moment) if not key.startswith("_")}
-        self.assertEqual(members, {key.partition(".")[2] for key in stub if key.startswith("Moment.")} - {"__len__"})
+        self.assertEqual(members, {key.partition(".")[2] for key in declared if key.startswith("Moment.")} - {"__len__"})
         for key in members:
             self.assertTrue(getattr(native.Moment, key).__doc__, key)
 
